@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/interval.h"
+#include "core/point.h"
+
+namespace plumb {
+
+/// How smooth an integrand is inside the cube, and (second use) as a function on the torus, where 0 ≡ 1.
+/// From it and the method follow the expected slopes (docs/statistics.md, "Rates").
+enum class Smoothness {
+    analytic,  ///< all derivatives continuous
+    kink,      ///< continuous, first derivative jumps
+    jump,      ///< bounded, jumps
+    singular,  ///< unbounded
+};
+std::string to_string(Smoothness smoothness);
+
+/// A test problem that carries its exact answers. Strings are decimals with at least 40 correct digits; each is a
+/// closed form, derived in the integrand's `derivation` and checked by two independent quadratures (integrands_test).
+template <int D>
+struct Integrand {
+    std::string id;       ///< e.g. "exp", "genz/oscillatory-1"
+    std::string formula;  ///< as a person writes it
+    std::function<double(const Point<D>&)> value;
+    std::string integral;  ///< over [0,1]^D
+    std::string variance;  ///< of f(U), U uniform; "inf" where infinite
+    Smoothness smoothness = Smoothness::analytic;           ///< inside the cube
+    Smoothness periodic_smoothness = Smoothness::jump;      ///< of the periodic extension (for torus methods)
+    Interval bounds{};                                      ///< of the values, where finite
+    std::string source;      ///< where the integrand comes from
+    std::string derivation;  ///< how integral and variance were derived, and how checked
+
+    double operator()(const Point<D>& x) const { return value(x); }
+    [[nodiscard]] double integral_value() const { return std::stod(integral); }
+    [[nodiscard]] double variance_value() const { return std::stod(variance); }  ///< "inf" gives infinity
+    /// √E f²: the scale for delta where the integral is zero or tiny.
+    [[nodiscard]] double root_mean_square() const;
+};
+
+/// All shipped integrands, in the order of the report.
+const std::vector<Integrand<1>>& integrands_1d();
+const std::vector<Integrand<2>>& integrands_2d();
+
+template <int D>
+const std::vector<Integrand<D>>& integrands();
+/// The integrand with this id; throws Error naming the nearest one.
+template <int D>
+const Integrand<D>& find_integrand(std::string_view id);
+
+}  // namespace plumb

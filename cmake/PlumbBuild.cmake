@@ -1,0 +1,83 @@
+# How every folder of Plumb is built.
+#
+#   plumb_library(NAME SOURCES… [DEPENDS targets…])   a folder's target plumb::NAME
+#   plumb_test(NAME SOURCES… [DEPENDS targets…])      its unit tests, one executable, each test known to ctest
+#
+# Compile time is a budget (2 cores): one precompiled header for the libraries, one for the tests, and a ninja pool
+# of depth 1 for the units that need about 1 GB each (CGAL).
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_CXX_FLAGS_DEBUG "-Og -g1")
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+set_property(GLOBAL PROPERTY JOB_POOLS heavy=1)
+
+set(PLUMB_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")
+set(PLUMB_EXECUTOR "tbb" CACHE STRING "What runs for_batches: tbb or jthread")
+option(PLUMB_WERROR "Warnings are errors" OFF)
+
+find_program(PLUMB_CCACHE ccache)
+if(PLUMB_CCACHE)
+  # The sloppiness is what ccache's manual asks for with precompiled headers; a changed header still misses.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${PLUMB_CCACHE})
+endif()
+
+add_library(plumb_options INTERFACE)
+target_include_directories(plumb_options INTERFACE "${PROJECT_SOURCE_DIR}")
+# -ffp-contract=off and no -ffast-math: the same seed gives the same bits.
+target_compile_options(plumb_options INTERFACE
+  -march=x86-64-v3 -ffp-contract=off -fpch-preprocess -Wall -Wextra -Wconversion -Wno-sign-conversion
+  $<$<BOOL:${PLUMB_WERROR}>:-Werror>)
+find_program(PLUMB_LLD ld.lld)
+if(PLUMB_LLD)
+  target_link_options(plumb_options INTERFACE -fuse-ld=lld)
+endif()
+if(PLUMB_SANITIZE)
+  target_compile_options(plumb_options INTERFACE -fsanitize=${PLUMB_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(plumb_options INTERFACE -fsanitize=${PLUMB_SANITIZE})
+endif()
+
+function(plumb_precompiled_headers target test)
+  if(test)
+    set(owner plumb_test_pch)
+    set(headers <gtest/gtest.h> <gmock/gmock.h>)
+  else()
+    set(owner plumb_pch)
+  endif()
+  if(NOT TARGET ${owner})
+    file(WRITE "${CMAKE_BINARY_DIR}/${owner}.cpp" "")
+    add_library(${owner} OBJECT "${CMAKE_BINARY_DIR}/${owner}.cpp")
+    target_link_libraries(${owner} PRIVATE plumb_options fmt::fmt $<$<BOOL:${test}>:GTest::gmock>)
+    target_precompile_headers(${owner} PRIVATE
+      <algorithm> <array> <cmath> <cstdint> <functional> <limits> <map> <memory> <numeric> <optional> <random> <span>
+      <stdexcept> <string> <string_view> <utility> <variant> <vector> <fmt/format.h> ${headers})
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${owner})
+endfunction()
+
+function(plumb_library name)
+  cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
+  add_library(plumb_${name} STATIC ${arg_UNPARSED_ARGUMENTS})
+  add_library(plumb::${name} ALIAS plumb_${name})
+  target_link_libraries(plumb_${name} PUBLIC plumb_options fmt::fmt ${arg_DEPENDS})
+  plumb_precompiled_headers(plumb_${name} FALSE)
+endfunction()
+
+function(plumb_test name)
+  cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
+  add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
+  target_link_libraries(${name} PRIVATE plumb_options GTest::gmock GTest::gtest_main ${arg_DEPENDS})
+  plumb_precompiled_headers(${name} TRUE)
+  include(GoogleTest)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
+endfunction()
+
+# Units that need much memory (CGAL): compiled one at a time, without the precompiled header's flags in their way.
+function(plumb_heavy_sources target)
+  add_library(${target}_heavy OBJECT ${ARGN})
+  target_link_libraries(${target}_heavy PRIVATE $<TARGET_PROPERTY:${target},LINK_LIBRARIES>)
+  set_property(TARGET ${target}_heavy PROPERTY JOB_POOL_COMPILE heavy)
+  target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_heavy>)
+endfunction()

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/estimate.h"
+#include "core/random.h"
+#include "verification/run.h"
+#include "verification/series.h"
+
+namespace plumb {
+
+/// One independent run of an estimator with n samples.
+using Replicate = std::function<Estimate(std::uint64_t n, RandomStream&)>;
+
+struct ConvergenceSetting {
+    std::string estimator, integrand;     ///< names for the series
+    double truth = 0;                     ///< the known integral: the MSE is about it and divides by R
+    std::vector<std::uint64_t> n;         ///< sample counts, at least two for a slope
+    std::uint64_t replicates = 1000;      ///< the same at every n; independent streams per n
+};
+
+/// Measures MSE, bias, evaluations and seconds at each n, and the slope of log MSE on log n by least squares weighted
+/// with the errors that the replicates give (not the residuals).
+Series measure_convergence(const Replicate& replicate, const ConvergenceSetting& setting, const Run& run);
+
+/// The weighted least-squares slope over the points with mse > 0; level is two-sided (0.95 for a 95 % interval).
+Slope fit_slope(const std::vector<ConvergencePoint>& points, double level);
+
+}  // namespace plumb

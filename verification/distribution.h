@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/random.h"
+#include "verification/run.h"
+#include "verification/verdict.h"
+
+namespace plumb {
+
+/// The cell (0 … cells−1) of one independent sample. Failed samples are a cell of their own; a value outside
+/// 0 … cells−1 counts as a hit where the density is zero and refutes.
+using DrawCell = std::function<std::size_t(RandomStream&)>;
+
+struct DistributionClaim {
+    std::vector<double> probabilities;  ///< of the cells; must sum to 1 within 1e-9, zeros allowed
+    double delta = 0;                   ///< the effect size phi = sqrt(sum (p−q)²/q) that `holds` excludes
+};
+
+/// Does draw fall into the cells with these probabilities? Pearson's chi-square at the sample count that makes
+/// `undecided` though true rarer than 1e-5; `holds` by the noncentral chi-square. docs/statistics.md, "Distributions".
+Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, const Run& run);
+
+/// The verdict on given counts. degrees_of_freedom < 0: cells with positive probability − 1.
+Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const DistributionClaim& claim, double alpha, double beta,
+                           int degrees_of_freedom = -1);
+
+/// The cells of a one-dimensional sample in [0,1): `cells` equal ones.
+std::size_t equal_cell(double u, std::size_t cells);
+
+}  // namespace plumb

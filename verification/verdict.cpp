@@ -1,0 +1,57 @@
+#include "verification/verdict.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/error.h"
+
+namespace plumb {
+
+std::string to_string(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::holds: return "holds";
+        case Outcome::refuted: return "refuted";
+        case Outcome::undecided: return "undecided";
+    }
+    throw std::logic_error("an Outcome outside its enumeration");
+}
+
+Outcome outcome_from(std::string_view text) {
+    for (const Outcome outcome : {Outcome::holds, Outcome::refuted, Outcome::undecided})
+        if (text == to_string(outcome)) return outcome;
+    throw unknown_name("outcome", text, {"holds", "refuted", "undecided"});
+}
+
+std::string to_string(Kind kind) {
+    switch (kind) {
+        case Kind::exact: return "exact";
+        case Kind::bounded: return "bounded";
+        case Kind::distribution: return "distribution";
+        case Kind::mean: return "mean";
+        case Kind::ratio: return "ratio";
+        case Kind::rate: return "rate";
+        case Kind::cost: return "cost";
+    }
+    throw std::logic_error("a Kind outside its enumeration");
+}
+
+Verdict all_of(std::vector<Verdict> parts) {
+    if (parts.empty()) throw std::logic_error("all_of() of no verdicts");
+    const auto severity = [](const Verdict& v) {
+        return v.outcome == Outcome::refuted ? 2 : v.outcome == Outcome::undecided ? 1 : 0;
+    };
+    const auto decisive = std::ranges::max_element(parts, {}, severity);  // the first of the most severe
+    Verdict joined = *decisive;
+    joined.samples = 0;
+    joined.series.clear();
+    joined.stability.clear();
+    for (Verdict& part : parts) {
+        joined.samples += part.samples;
+        std::ranges::move(part.series, std::back_inserter(joined.series));
+        std::ranges::move(part.stability, std::back_inserter(joined.stability));
+    }
+    joined.evidence.emplace_back("parts", static_cast<std::uint64_t>(parts.size()));
+    return joined;
+}
+
+}  // namespace plumb
