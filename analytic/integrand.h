@@ -17,7 +17,8 @@ namespace plumb {
 enum class Smoothness {
     analytic,  ///< all derivatives continuous
     kink,      ///< continuous, first derivative jumps
-    jump,      ///< bounded, jumps
+    root,      ///< continuous, with a vertical tangent, like √x at 0
+    jump,      ///< bounded, jumps, or has no limit on the boundary
     singular,  ///< unbounded
 };
 std::string to_string(Smoothness smoothness);
