@@ -15,8 +15,8 @@ using Number = std::conditional_t<D == 1, Real, Decimal<34>>;
 
 template <int D>
 RuleBook<Number<D>> rule_book(Quadrature method) {
-    if (method == Quadrature::gauss_legendre) return {method, D == 1 ? 60 : 24, D == 1 ? 60. : 20.};
-    return {method, D == 1 ? 32 : 10, D == 1 ? 60. : 20.};
+    if (method == Quadrature::gauss_legendre) return {method, D == 1 ? 80 : 24, D == 1 ? 60. : 20.};
+    return {method, D == 1 ? 40 : 12, D == 1 ? 60. : 20.};
 }
 
 template <int D>

@@ -4,6 +4,7 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/mpfr.hpp>
+#include <map>
 
 #include "analytic/formulas/elementary.h"
 
@@ -35,9 +36,17 @@ struct Elementary<Decimal<Digits>> {
         mpfr_erfc(value.backend().data(), x.backend().data(), MPFR_RNDN);
         return value;
     }
-    /// Halley's iteration on Φ(z) = u, from the double's quantile: each step triples the digits.
+    /// Remembers what it has computed: a product rule asks for its few nodes again and again.
     static R normal_quantile(const R& u) {
-        if (u > R(1) / 2) return -normal_quantile(R(1 - u));
+        thread_local std::map<R, R> known;
+        const auto [found, is_new] = known.try_emplace(u);
+        if (is_new) found->second = u > R(1) / 2 ? R(-lower_quantile(R(1 - u))) : lower_quantile(u);
+        return found->second;
+    }
+
+private:
+    /// Halley's iteration on Φ(z) = u, from the double's quantile: each step triples the digits.
+    static R lower_quantile(const R& u) {
         static const R root_two = sqrt(R(2)), density_at_zero = 1 / sqrt(2 * pi());
         R z = Elementary<double>::normal_quantile(static_cast<double>(u));
         for (unsigned digits = 14; digits < Digits; digits *= 3) {

@@ -131,7 +131,9 @@ struct InverseDistance : Formula2D {
     }
     template <class R>
     Panels<R> panels_y(const R& x) const {
-        return {{R(0), x}, {x, R(1), Singular::low}};  // above the diagonal the scale runs from x to 1
+        std::vector<R> cuts;  // the scale of 1/√(x² + y²) runs from x to 1
+        for (R cut = x; cut < 1; cut *= 5) cuts.push_back(cut);
+        return cut_at(cuts);
     }
 };
 
