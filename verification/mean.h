@@ -16,15 +16,25 @@ using Draw = std::function<double(RandomStream&)>;
 
 struct MeanClaim {
     double reference = 0;
-    double delta = 0;          ///< the bias that `holds` excludes; absolute, in the unit of the values
-    double epsilon = 0;        ///< the bias the claim itself allows: rounding, the reference's own error
-    Interval bounds{};         ///< of one value, where known: then every risk is exact in finite samples
+    double delta = 0;               ///< the bias that `holds` excludes; absolute, in the unit of the values
+    double epsilon = 0;             ///< the bias the claim itself allows: rounding, the reference's own error
+    Interval bounds{};              ///< of one value, where known: then every risk is exact in finite samples
     std::uint64_t min_samples = 0;  ///< for values that can spike unseen: at least 12 / P(spike)
     std::uint64_t cap = std::uint64_t{1} << 24;  ///< at least 100 (sigma/delta)²
-    bool zero_variance = false;  ///< every value is claimed to be the reference itself (within epsilon)
+    bool zero_variance = false;                  ///< every value is claimed to be the reference itself (within epsilon)
 };
 
 /// Is the expectation of draw the reference? Sequential, anytime-valid, by betting: docs/statistics.md, "Mean claims".
 Verdict mean_is(const Draw& draw, const MeanClaim& claim, const Run& run);
+
+struct AtMostClaim {
+    double bound = 0;   ///< the expectation is claimed to be at most this
+    double margin = 0;  ///< how far below it is expected to lie; sets the size of the bets, not the risks
+    Interval bounds{};  ///< of one value, where known
+    std::uint64_t cap = std::uint64_t{1} << 24;
+};
+
+/// Is the expectation of draw at most the bound? The same test with one side left open.
+Verdict mean_at_most(const Draw& draw, const AtMostClaim& claim, const Run& run);
 
 }  // namespace plumb
