@@ -5,7 +5,8 @@
 #include "analytic/closed_forms.h"
 
 int main() {
-    fmt::print("// Written by pin_answers from the closed forms in analytic/formulas; a test holds them to each other.\n");
+    fmt::print(
+        "// Written by pin_answers from the closed forms in analytic/formulas; a test holds them to each other.\n");
     for (const auto& [id, integral, variance] : plumb::evaluate_closed_forms())
         fmt::print("{{\"{}\",\n \"{}\",\n \"{}\"}},\n", id, integral, variance);
 }

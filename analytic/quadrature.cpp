@@ -30,6 +30,17 @@ QuadratureError error_of(const Integrand<D>& stated, const FirstMoments<Number<D
             static_cast<double>(R(abs(R(second - found.square)) / second))};
 }
 
+template <int D>
+void with_formula(std::string_view id, const auto& use) {
+    bool found = false;
+    formulas::visit_formulas<D>([&](const auto& formula) {
+        if (found || formula.about().id != id) return;
+        found = true;
+        use(formula);
+    });
+    if (!found) throw std::logic_error(fmt::format("no formula of the id '{}'", id));
+}
+
 }  // namespace
 
 std::string to_string(Quadrature method) {
@@ -40,16 +51,24 @@ template <int D>
 std::vector<QuadratureError> quadrature_errors(std::span<const Integrand<D>> stated, Quadrature method) {
     RuleBook<Number<D>> book = rule_book<D>(method);
     std::vector<QuadratureError> errors;
-    for (const Integrand<D>& integrand : stated) {
-        const std::size_t before = errors.size();
-        formulas::visit_formulas<D>([&](const auto& formula) {
-            if (formula.about().id == integrand.id) errors.push_back(error_of<D>(integrand, integrate(formula, book)));
+    for (const Integrand<D>& integrand : stated)
+        with_formula<D>(integrand.id, [&](const auto& formula) {
+            errors.push_back(error_of<D>(integrand, integrate(formula, book)));
         });
-        if (errors.size() == before) throw std::logic_error("no formula of the id '" + integrand.id + "'");
-    }
     return errors;
 }
 template std::vector<QuadratureError> quadrature_errors<1>(std::span<const Integrand<1>>, Quadrature);
 template std::vector<QuadratureError> quadrature_errors<2>(std::span<const Integrand<2>>, Quadrature);
+
+template <int D>
+double correctly_rounded(std::string_view id, const Point<D>& x) {
+    std::array<Number<D>, D> point;
+    std::ranges::copy(x, point.begin());
+    double value = 0;
+    with_formula<D>(id, [&](const auto& formula) { value = static_cast<double>(formula.value(point)); });
+    return value;
+}
+template double correctly_rounded<1>(std::string_view, const Point<1>&);
+template double correctly_rounded<2>(std::string_view, const Point<2>&);
 
 }  // namespace plumb

@@ -16,10 +16,14 @@ std::string to_string(Quadrature method);
 /// How far an integrand's stated answers are from a quadrature of the formula of its id.
 struct QuadratureError {
     std::string id;
-    double integral;       ///< |stated − found| / √E f²; over |integral| where the variance is stated to be infinite
+    double integral;  ///< |stated − found| / √E f²; over |integral| where the variance is stated to be infinite
     double second_moment;  ///< of variance + integral², likewise over E f²; 0 where stated to be infinite
 };
 template <int D>
 std::vector<QuadratureError> quadrature_errors(std::span<const Integrand<D>> stated, Quadrature method);
+
+/// The value at x of the formula of this id, computed in multi-precision and rounded once.
+template <int D>
+double correctly_rounded(std::string_view id, const Point<D>& x);
 
 }  // namespace plumb

@@ -70,13 +70,15 @@ Rule<R> logarithmic(const Rule<R>& rule, double digits) {
     return result;
 }
 
-/// The rules of one quadrature that a formula's panels need, to about `digits` digits with `order` nodes: Gauss–Legendre
-/// nodes a panel, or tanh-sinh nodes a unit of s.
+/// The rules of one quadrature that a formula's panels need, to about `digits` digits with `order` nodes:
+/// Gauss–Legendre nodes a panel, or tanh-sinh nodes a unit of s.
 template <class R>
 class RuleBook {
 public:
     RuleBook(Quadrature method, int order, double digits)
-        : method_(method), order_(order), digits_(digits),
+        : method_(method),
+          order_(order),
+          digits_(digits),
           regular_(method == Quadrature::gauss_legendre ? gauss_legendre<R>(order) : tanh_sinh<R>(order, digits)) {}
 
     const Rule<R>& rule(const formulas::Panel<R>& panel) {
@@ -84,7 +86,8 @@ public:
         const auto [found, is_new] = singular_.try_emplace(panel.mass_exponent);
         if (is_new) {
             const double digits = digits_ / panel.mass_exponent;
-            found->second = method_ == Quadrature::gauss_legendre ? logarithmic(regular_, digits) : tanh_sinh<R>(order_, digits);
+            found->second =
+                method_ == Quadrature::gauss_legendre ? logarithmic(regular_, digits) : tanh_sinh<R>(order_, digits);
         }
         return found->second;
     }

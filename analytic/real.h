@@ -11,8 +11,9 @@
 namespace plumb {
 
 template <unsigned Digits>
-using Decimal = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<Digits, boost::multiprecision::allocate_stack>,
-                                              boost::multiprecision::et_off>;
+using Decimal = boost::multiprecision::number<
+    boost::multiprecision::mpfr_float_backend<Digits, boost::multiprecision::allocate_stack>,
+    boost::multiprecision::et_off>;
 /// 80 decimal digits: answers are stated to 50, and differences of two near numbers have 30 to lose.
 using Real = Decimal<80>;
 

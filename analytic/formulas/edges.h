@@ -206,8 +206,9 @@ struct CutDisk : Formula2D {
                 .periodic_smoothness = Smoothness::jump,
                 .bounds = {0, 1},
                 .source = "ours",
-                .derivation = "the disk leaves the square at x = 1, at the distance h = 3/10 from its centre: pi r^2 less "
-                              "the segment r^2 arccos(h/r) - h sqrt(r^2 - h^2); f^2 = f"};
+                .derivation =
+                    "the disk leaves the square at x = 1, at the distance h = 3/10 from its centre: pi r^2 less "
+                    "the segment r^2 arccos(h/r) - h sqrt(r^2 - h^2); f^2 = f"};
     }
     template <class R>
     R value(const std::array<R, 2>& p) const {

@@ -94,8 +94,7 @@ struct GenzProductPeak : GenzBase<D> {
     template <class R>
     R value(const std::array<R, D>& x) const {
         R denominator = 1;
-        for (std::size_t i = 0; i < D; ++i)
-            denominator *= 1 / squared(R(p.a[i])) + squared(R(x[i] - p.u[i]));
+        for (std::size_t i = 0; i < D; ++i) denominator *= 1 / squared(R(p.a[i])) + squared(R(x[i] - p.u[i]));
         return 1 / denominator;
     }
     template <class R>
@@ -106,9 +105,8 @@ struct GenzProductPeak : GenzBase<D> {
     template <class R>
     R second_moment() const {
         const auto half = [](const R& z) { return R((atan(z) + z / (1 + z * z)) / 2); };
-        return p.template product<R>([&](const R& a, const R& u) {
-            return R(a * a * a * (half(R(a * (1 - u))) + half(R(a * u))));
-        });
+        return p.template product<R>(
+            [&](const R& a, const R& u) { return R(a * a * a * (half(R(a * (1 - u))) + half(R(a * u)))); });
     }
     /// Cut where the distance from the peak is 0, 1, 3 and 9 of its widths 1/a.
     template <class R>
@@ -214,9 +212,8 @@ struct GenzC0 : GenzBase<D> {
     /// ∫ exp(−k Σ a |x−u|).
     template <class R>
     R mean_exponential(int k) const {
-        return p.template product<R>([k](const R& a, const R& u) {
-            return R((2 - exp(R(-k * a * u)) - exp(R(-k * a * (1 - u)))) / (k * a));
-        });
+        return p.template product<R>(
+            [k](const R& a, const R& u) { return R((2 - exp(R(-k * a * u)) - exp(R(-k * a * (1 - u)))) / (k * a)); });
     }
     template <class R>
     R integral() const {

@@ -4,9 +4,9 @@
 
 namespace plumb::formulas {
 
-// [Keister 1996]: ∫ cos‖t‖ e^{−‖t‖²} dt over R^D. With t = Φ⁻¹(u)/√2 on every axis it is ∫ π^{D/2} cos‖t(u)‖ du over the
-// unit cube. Towards the faces the integrand oscillates for ever, between ±π^{D/2}: it has no limit there, which costs a
-// method what a jump on the faces costs; on the faces themselves it is 0 here.
+// [Keister 1996]: ∫ cos‖t‖ e^{−‖t‖²} dt over R^D. With t = Φ⁻¹(u)/√2 on every axis it is ∫ π^{D/2} cos‖t(u)‖ du over
+// the unit cube. Towards the faces the integrand oscillates for ever, between ±π^{D/2}: it has no limit there, which
+// costs a method what a jump on the faces costs; on the faces themselves it is 0 here.
 
 template <class R>
 R keister_coordinate(const R& u) {
@@ -31,13 +31,14 @@ Panels<R> keister_panels() {
 
 struct Keister : Formula1D {
     Description about() const {
-        return {.id = "keister",
-                .formula = "sqrt(pi) cos(Phi^-1(x) / sqrt 2)",
-                .smoothness = Smoothness::jump,
-                .periodic_smoothness = Smoothness::jump,
-                .bounds = with_rounding(-1.7724538509055161, 1.7724538509055161),
-                .source = "Keister 1996, Multidimensional quadrature algorithms, D = 1",
-                .derivation = "the characteristic function of N(0, 1/2) at 1 and 2: sqrt(pi) e^{-1/4}; pi (1 + e^{-1})/2"};
+        return {
+            .id = "keister",
+            .formula = "sqrt(pi) cos(Phi^-1(x) / sqrt 2)",
+            .smoothness = Smoothness::jump,
+            .periodic_smoothness = Smoothness::jump,
+            .bounds = with_rounding(-1.7724538509055161, 1.7724538509055161),
+            .source = "Keister 1996, Multidimensional quadrature algorithms, D = 1",
+            .derivation = "the characteristic function of N(0, 1/2) at 1 and 2: sqrt(pi) e^{-1/4}; pi (1 + e^{-1})/2"};
     }
     template <class R>
     R value(const std::array<R, 1>& u) const {
@@ -66,8 +67,9 @@ struct Keister2D : Formula2D {
                 .periodic_smoothness = Smoothness::jump,
                 .bounds = with_rounding(-std::numbers::pi, std::numbers::pi),
                 .source = "Keister 1996, Multidimensional quadrature algorithms, D = 2",
-                .derivation = "int_0^inf 2 r e^{-r^2} cos(k r) dr = 1 - k F(k/2) by parts, F Dawson's integral: "
-                              "pi (1 - F(1/2)); pi^2 (1 + 1 - 2 F(1))/2"};
+                .derivation =
+                    "int_0^inf 2 r e^{-r^2} cos(k r) dr = 1 - k F(k/2) by parts, F Dawson's integral: "
+                    "pi (1 - F(1/2)); pi^2 (1 + 1 - 2 F(1))/2"};
     }
     template <class R>
     R value(const std::array<R, 2>& u) const {

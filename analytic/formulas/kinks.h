@@ -40,8 +40,9 @@ struct Kink2D : Formula2D {
                 .periodic_smoothness = Smoothness::jump,
                 .bounds = with_rounding(0, 1.7),
                 .source = "ours",
-                .derivation = "F(s) = |s|^3/6 has F'' = |s|: (F(1.7) - F(0.7) - F(-0.3) + F(-1.3))/2; f^2 is the variance "
-                              "4/12 + 1/12 and the squared mean 0.2^2 of 2x + y - 1.3"};
+                .derivation =
+                    "F(s) = |s|^3/6 has F'' = |s|: (F(1.7) - F(0.7) - F(-0.3) + F(-1.3))/2; f^2 is the variance "
+                    "4/12 + 1/12 and the squared mean 0.2^2 of 2x + y - 1.3"};
     }
     template <class R>
     R value(const std::array<R, 2>& p) const {

@@ -52,8 +52,9 @@ struct PeriodicRational : Formula1D {
                 .periodic_smoothness = Smoothness::analytic,
                 .bounds = with_rounding(4. / 9, 4),
                 .source = "ours",
-                .derivation = "residues: int 1/(a + cos) = (a^2 - 1)^{-1/2} = 4/3, and minus its derivative by a, "
-                              "a (a^2 - 1)^{-3/2} = 80/27, at a = 5/4"};
+                .derivation =
+                    "residues: int 1/(a + cos) = (a^2 - 1)^{-1/2} = 4/3, and minus its derivative by a, "
+                    "a (a^2 - 1)^{-3/2} = 80/27, at a = 5/4"};
     }
     template <class R>
     R value(const std::array<R, 1>& x) const {

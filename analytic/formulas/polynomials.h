@@ -15,7 +15,9 @@ struct Monomial : Formula1D {
 
     Description about() const {
         return {.id = id,
-                .formula = power == 0 ? "1" : power == 1 ? "x" : fmt::format("x^{}", power),
+                .formula = power == 0   ? "1"
+                           : power == 1 ? "x"
+                                        : fmt::format("x^{}", power),
                 .smoothness = Smoothness::analytic,
                 .periodic_smoothness = power == 0 ? Smoothness::analytic : Smoothness::jump,
                 .bounds = {power == 0 ? 1. : 0., 1},

@@ -110,8 +110,9 @@ struct InverseDistance : Formula2D {
                 .periodic_smoothness = Smoothness::singular,
                 .bounds = {0.7071, unbounded},
                 .source = "ours",
-                .derivation = "twice the part below the diagonal in polar coordinates, 2 int_0^{pi/4} dphi / cos phi = "
-                              "2 log(1 + sqrt 2); f^2 = r^-2 diverges with log r at the corner"};
+                .derivation =
+                    "twice the part below the diagonal in polar coordinates, 2 int_0^{pi/4} dphi / cos phi = "
+                    "2 log(1 + sqrt 2); f^2 = r^-2 diverges with log r at the corner"};
     }
     template <class R>
     R value(const std::array<R, 2>& p) const {

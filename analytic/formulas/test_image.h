@@ -5,20 +5,22 @@
 
 namespace plumb::formulas {
 
-/// A procedural image with what images have: a curved edge (a sun in a smooth sky), texture (lower left), and a straight
-/// edge at an angle between a dark and a shaded area (lower right).
+/// A procedural image with what images have: a curved edge (a sun in a smooth sky), texture (lower left), and a
+/// straight edge at an angle between a dark and a shaded area (lower right).
 struct TestImage : Formula2D {
     Description about() const {
         return {.id = "test-image",
-                .formula = "y >= 1/2: 1 where (x - 7/10)^2 + (y - 3/4)^2 < (3/20)^2, else 1/4 + y/2; "
-                           "y < 1/2, x < 1/2: 1/2 + 2/5 sin(70 x) cos(50 y); "
-                           "y < 1/2, x >= 1/2: 1/20 where y < 1/10 + 3/5 (x - 1/2), else x (1 - y)",
+                .formula =
+                    "y >= 1/2: 1 where (x - 7/10)^2 + (y - 3/4)^2 < (3/20)^2, else 1/4 + y/2; "
+                    "y < 1/2, x < 1/2: 1/2 + 2/5 sin(70 x) cos(50 y); "
+                    "y < 1/2, x >= 1/2: 1/20 where y < 1/10 + 3/5 (x - 1/2), else x (1 - y)",
                 .smoothness = Smoothness::jump,
                 .periodic_smoothness = Smoothness::jump,
                 .bounds = with_rounding(0.05, 1),
                 .source = "ours",
-                .derivation = "region by region: the sky 5/16 and 19/96, the sun's disk A = pi r^2 with the sky's mean "
-                              "5/8 and mean square 25/64 + r^2/16 in it; products of sines and cosines; polynomials"};
+                .derivation =
+                    "region by region: the sky 5/16 and 19/96, the sun's disk A = pi r^2 with the sky's mean "
+                    "5/8 and mean square 25/64 + r^2/16 in it; products of sines and cosines; polynomials"};
     }
     template <class R>
     static R sun_half(const R& x) {
@@ -74,8 +76,7 @@ struct TestImage : Formula2D {
             cuts.insert(cuts.end(), {R(R(1) / 6), R(R(1) / 3)});  // whole waves of the texture
         else
             cuts.push_back(slope(x));
-        if (const R half = sun_half(x); half > 0)
-            cuts.insert(cuts.end(), {R(R(3) / 4 - half), R(R(3) / 4 + half)});
+        if (const R half = sun_half(x); half > 0) cuts.insert(cuts.end(), {R(R(3) / 4 - half), R(R(3) / 4 + half)});
         return cut_at(cuts);
     }
 };

@@ -5,21 +5,23 @@
 namespace plumb::formulas {
 
 /// The 1D function of the reweighting thesis, sec. 4.5.1: two quarter circles of radius 1/4, a trapezoid, three humps.
-/// The radicands are factored: as printed, −x² + x − 0.1875 rounds below zero just above x = 1/4.
+/// The radicands are factored: as printed, −x² + x − 0.1875 cancels just above x = 1/4, where f then errs by 1e-8.
 struct Thesis : Formula1D {
     Description about() const {
         return {.id = "thesis-1d",
-                .formula = "10 times, up to x = 1/4, 1/2, 11/20, 13/20, 7/10, 4/5, 9/10, 1: sqrt(x (1/2 - x)); "
-                           "1/4 - sqrt((x - 1/4)(3/4 - x)); 20 (x - 1/2); 1; 20 (7/10 - x); "
-                           "sin(10 pi (x - 7/10))/10; sin(10 pi (x - 8/10))/4; sin(10 pi (x - 9/10))/2",
+                .formula =
+                    "10 times, up to x = 1/4, 1/2, 11/20, 13/20, 7/10, 4/5, 9/10, 1: sqrt(x (1/2 - x)); "
+                    "1/4 - sqrt((x - 1/4)(3/4 - x)); 20 (x - 1/2); 1; 20 (7/10 - x); "
+                    "sin(10 pi (x - 7/10))/10; sin(10 pi (x - 8/10))/4; sin(10 pi (x - 9/10))/2",
                 .smoothness = Smoothness::root,
                 .periodic_smoothness = Smoothness::root,
                 .bounds = with_rounding(0, 10),
                 .source = "thesis (papers/001), sec. 4.5.1",
-                .derivation = "the quarter circles complement each other to the square 1/16, the trapezoid is 3/20, the "
-                              "humps (1/10 + 1/4 + 1/2)/(5 pi): ten times is 17/8 + 17/(10 pi). Of f^2/100: the arcs 1/96 "
-                              "and r^3 (5/3 - pi/2), r = 1/4, the trapezoid 1/10 + 1/30, the humps "
-                              "(1/100 + 1/16 + 1/4)/20"};
+                .derivation =
+                    "the quarter circles complement each other to the square 1/16, the trapezoid is 3/20, the "
+                    "humps (1/10 + 1/4 + 1/2)/(5 pi): ten times is 17/8 + 17/(10 pi). Of f^2/100: the arcs 1/96 "
+                    "and r^3 (5/3 - pi/2), r = 1/4, the trapezoid 1/10 + 1/30, the humps "
+                    "(1/100 + 1/16 + 1/4)/20"};
     }
     template <class R>
     R value(const std::array<R, 1>& p) const {
