@@ -5,7 +5,7 @@
 namespace plumb::formulas {
 
 /// The 1D function of the reweighting thesis, sec. 4.5.1: two quarter circles of radius 1/4, a trapezoid, three humps.
-/// The radicands are factored: as printed, −x² + x − 0.1875 cancels just above x = 1/4, where f then errs by 1e-8.
+/// The radicands are factored: printed as −x² + x/2 and −x² + x − 0.1875, here manifestly not negative.
 struct Thesis : Formula1D {
     Description about() const {
         return {.id = "thesis-1d",
