@@ -4,6 +4,7 @@ namespace plumb {
 
 Catalogue shipped_catalogue() {
     Catalogue catalogue;
+    add_integrand_claims(catalogue);
     return catalogue;
 }
 
