@@ -87,7 +87,7 @@ std::vector<Point<2>> independent_in_columns(std::uint64_t n, RandomStream& rand
 void add_strata(Catalogue& catalogue) {
     catalogue.add({
         .id = "points/stratified-1d/strata",
-        .statement = "Each of n equal intervals holds exactly one stratified point, for every n.",
+        .statement = "Each of n equal intervals holds exactly one stratified point, n = 1 … 64.",
         .source = "[Haber 1966]; estimators/stratified.cpp",
         .check =
             [](const Run& run) {
@@ -101,7 +101,7 @@ void add_strata(Catalogue& catalogue) {
     catalogue.add({
         .id = "points/stratified-2d/strata",
         .statement =
-            "Each cell of the grid of n = columns × rows cells holds exactly one stratified point, for every n.",
+            "Each cell of the grid of n = columns × rows cells holds exactly one stratified point, n = 1 … 64.",
         .source = "[Haber 1966]; estimators/stratified.cpp",
         .check =
             [](const Run& run) {
@@ -114,7 +114,7 @@ void add_strata(Catalogue& catalogue) {
     });
     catalogue.add({
         .id = "points/latin-hypercube-2d/projections",
-        .statement = "Each of n columns and each of n rows holds exactly one point of a Latin hypercube, for every n.",
+        .statement = "Each of n columns and each of n rows holds exactly one point of a Latin hypercube, n = 1 … 64.",
         .source = "[McKay, Beckman & Conover 1979]",
         .check =
             [](const Run& run) {
@@ -128,7 +128,7 @@ void add_strata(Catalogue& catalogue) {
     catalogue.add({
         .id = "points/cmj-2d/strata",
         .statement = "Each grid cell, each of n columns and each of n rows holds exactly one correlated multi-jittered "
-                     "point, for every n.",
+                     "point, n = 1 … 64.",
         .source = "[Kensler 2013]",
         .check =
             [](const Run& run) {
@@ -202,9 +202,9 @@ std::vector<Point<2>> shifted_zero_two(std::uint64_t n, RandomStream& random) {
 void add_nets(Catalogue& catalogue) {
     catalogue.add({
         .id = "points/sobol-2d/elementary-intervals",
-        .statement =
-            "Every aligned run of 2^k points of Sobol's sequence holds one point in each elementary interval of "
-            "area 2^-k, on the first two axes.",
+        .statement = "Every aligned run of 2^k among the first 1024 points of Sobol's sequence holds one point in each "
+                     "elementary interval of "
+                     "area 2^-k, on the first two axes.",
         .source = "[Sobol' 1967]; estimators/sobol.h",
         .check = [](const Run&) { return is_sequence(sobol_2d); },
         .mutants = {{"first-point-dropped", "The sequence starts at its second point, as Boost.Random's does.",
@@ -212,9 +212,9 @@ void add_nets(Catalogue& catalogue) {
     });
     catalogue.add({
         .id = "points/zero-two-2d/elementary-intervals",
-        .statement =
-            "Every aligned run of 2^k points of the (0,2)-sequence holds one point in each elementary interval "
-            "of area 2^-k.",
+        .statement = "Every aligned run of 2^k among the first 1024 points of the (0,2)-sequence holds one point in "
+                     "each elementary interval "
+                     "of area 2^-k.",
         .source = "[Kollig & Keller 2002]; estimators/zero_two.cpp",
         .check = [](const Run&) { return is_sequence(zero_two); },
         .mutants = {{"same-matrix-twice", "Both axes are van der Corput's sequence.",
