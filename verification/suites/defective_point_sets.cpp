@@ -164,6 +164,14 @@ std::vector<Point<2>> multi_jittered_uncorrelated(std::uint64_t n, RandomStream&
         random);
 }
 
+std::vector<Point<2>> multi_jittered_half_correlated(std::uint64_t n, RandomStream& random) {
+    const Grid grid = grid_of(n);
+    const auto fine_column = random_permutation(static_cast<std::uint32_t>(grid.rows), random);
+    const auto fine_row = permutations(grid.rows, grid.columns, random);
+    return multi_jittered(
+        grid, [&](auto, auto r) { return fine_column[r]; }, [&](auto c, auto r) { return fine_row[r][c]; }, random);
+}
+
 std::vector<Point<2>> multi_jittered_unshuffled(std::uint64_t n, RandomStream& random) {
     return multi_jittered(
         grid_of(n), [](auto, auto r) { return r; }, [](auto c, auto) { return c; }, random);

@@ -45,6 +45,8 @@ std::vector<Point<2>> latin_hypercube_with_repeated_rows(std::uint64_t n, Random
 std::vector<Point<2>> multi_jittered_by_own_index(std::uint64_t n, RandomStream& random);
 /// A permutation of its own for each column and each row: multi-jittered, not correlated [Chiu, Shirley & Wang 1994].
 std::vector<Point<2>> multi_jittered_uncorrelated(std::uint64_t n, RandomStream& random);
+/// A permutation of its own for each row; all columns share one.
+std::vector<Point<2>> multi_jittered_half_correlated(std::uint64_t n, RandomStream& random);
 /// No permutations: the canonical arrangement of [Chiu, Shirley & Wang 1994] before it is shuffled.
 std::vector<Point<2>> multi_jittered_unshuffled(std::uint64_t n, RandomStream& random);
 
