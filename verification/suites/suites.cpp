@@ -5,6 +5,12 @@ namespace plumb {
 Catalogue shipped_catalogue() {
     Catalogue catalogue;
     add_integrand_claims(catalogue);
+    add_error_bar_claims(catalogue);
+    add_point_rate_claims(catalogue);
+    add_point_set_claims(catalogue);
+    add_point_structure_claims(catalogue);
+    add_point_variance_claims(catalogue);
+    add_star_discrepancy_claims(catalogue);
     return catalogue;
 }
 

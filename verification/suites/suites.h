@@ -9,5 +9,11 @@ Catalogue shipped_catalogue();
 
 // One function a group, one group a file of this folder.
 void add_integrand_claims(Catalogue& catalogue);
+void add_error_bar_claims(Catalogue& catalogue);
+void add_point_rate_claims(Catalogue& catalogue);
+void add_point_set_claims(Catalogue& catalogue);
+void add_point_structure_claims(Catalogue& catalogue);
+void add_point_variance_claims(Catalogue& catalogue);
+void add_star_discrepancy_claims(Catalogue& catalogue);
 
 }  // namespace plumb
