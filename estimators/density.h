@@ -25,7 +25,8 @@ public:
     LinearDensity(double at_0, double at_1) {
         const double largest = std::max(at_0, at_1);
         if (!(at_0 >= 0 && at_1 >= 0 && largest > 0 && std::isfinite(largest)))
-            throw Error(fmt::format("linear density from {} to {}: both must be >= 0, finite, and one > 0", at_0, at_1));
+            throw Error(
+                fmt::format("linear density from {} to {}: both must be >= 0, finite, and one > 0", at_0, at_1));
         const double half_sum = (at_0 / largest + at_1 / largest) / 2;
         a_ = at_0 / largest / half_sum;
         b_ = at_1 / largest / half_sum;

@@ -26,8 +26,8 @@ public:
     BilinearDensity(double at_00, double at_10, double at_01, double at_11)
         : at_00_(at_00), at_10_(at_10), at_01_(at_01), at_11_(at_11), marginal_(at_00 + at_01, at_10 + at_11) {
         if (!(at_00 >= 0 && at_10 >= 0 && at_01 >= 0 && at_11 >= 0))
-            throw Error(fmt::format("bilinear density with corners {}, {}, {}, {}: all must be >= 0", at_00, at_10, at_01,
-                                    at_11));
+            throw Error(fmt::format("bilinear density with corners {}, {}, {}, {}: all must be >= 0", at_00, at_10,
+                                    at_01, at_11));
     }
 
     [[nodiscard]] Point<2> sample(const Point<2>& u) const {

@@ -31,14 +31,19 @@ Weight checked_total(std::span<const Weight> weights, std::size_t factor = 1) {
         }
         total += weights[i];
     }
-    if (!(total > 0) || (std::floating_point<Weight> && !std::isfinite(static_cast<double>(total) * static_cast<double>(factor))))
+    if (!(total > 0) ||
+        (std::floating_point<Weight> && !std::isfinite(static_cast<double>(total) * static_cast<double>(factor))))
         throw Error(fmt::format("{} weights of sum {}: a positive finite sum is needed", weights.size(), total));
     return total;
 }
 
 /// A uniform number below the bound: exactly for integers, within rounding for double.
-inline std::uint64_t uniform_below(std::uint64_t bound, RandomStream& random) { return random.below(bound); }
-inline double uniform_below(double bound, RandomStream& random) { return bound * random.uniform(); }
+inline std::uint64_t uniform_below(std::uint64_t bound, RandomStream& random) {
+    return random.below(bound);
+}
+inline double uniform_below(double bound, RandomStream& random) {
+    return bound * random.uniform();
+}
 
 /// By inversion of the CDF: O(log n) a sample.
 template <class Weight>
