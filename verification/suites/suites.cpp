@@ -4,6 +4,11 @@ namespace plumb {
 
 Catalogue shipped_catalogue() {
     Catalogue catalogue;
+    add_debiasing_claims(catalogue);
+    add_density_claims(catalogue);
+    add_exact_mis_claims(catalogue);
+    add_mis_claims(catalogue);
+    add_variance_reduction_claims(catalogue);
     return catalogue;
 }
 

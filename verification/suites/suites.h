@@ -8,5 +8,10 @@ namespace plumb {
 Catalogue shipped_catalogue();
 
 // One function a group, one group a file of this folder.
+void add_debiasing_claims(Catalogue& catalogue);
+void add_density_claims(Catalogue& catalogue);
+void add_exact_mis_claims(Catalogue& catalogue);
+void add_mis_claims(Catalogue& catalogue);
+void add_variance_reduction_claims(Catalogue& catalogue);
 
 }  // namespace plumb
