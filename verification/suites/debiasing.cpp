@@ -64,7 +64,8 @@ constexpr double survival = 0.3;
 Draw rouletted_exp(Reweighting<double> reweighting) {
     return [reweighting](RandomStream& random) {
         const double u = random.uniform();
-        return roulette_value(reweighting, survival, [u] { return std::exp(u); }, random);
+        return roulette_value(
+            reweighting, survival, [u] { return std::exp(u); }, random);
     };
 }
 
@@ -82,8 +83,7 @@ Verdict roulette_variance_is(const Reweighting<double>& reweighting, const Run& 
 /// How often the integrand is evaluated in 10 trials.
 Verdict roulette_cost(double q, const Run& run) {
     const Draw count = [q](RandomStream& random) {
-        return static_cast<double>(
-            roulette<1>([](const Point<1>& x) { return x[0]; }, q, 10, random).evaluations);
+        return static_cast<double>(roulette<1>([](const Point<1>& x) { return x[0]; }, q, 10, random).evaluations);
     };
     return mean_is(count, {.reference = 10 * survival, .delta = 0.05, .bounds = {0, 10}}, run);
 }
@@ -218,8 +218,8 @@ Draw trapezoid_sum(const Pmf& pmf) {
     return [pmf](RandomStream& random) {
         Trapezoids rule;
         double current = rule.first();
-        return telescope_roulette_sum(current, [&](std::uint64_t k) { return rule.difference(k, current); }, pmf,
-                                      random);
+        return telescope_roulette_sum(
+            current, [&](std::uint64_t k) { return rule.difference(k, current); }, pmf, random);
     };
 }
 
@@ -240,7 +240,8 @@ Verdict trapezoid_cost(double (*cost_of_difference)(std::uint64_t)) {
     for (std::uint64_t k = 0; k < refinements; ++k) {
         Trapezoids rule;
         double current = rule.first();
-        roulette_sum(current, [&](std::uint64_t j) { return rule.difference(j, current); }, pmf, k);
+        roulette_sum(
+            current, [&](std::uint64_t j) { return rule.difference(j, current); }, pmf, k);
         counted += static_cast<double>(rule.evaluations) * pmf.pmf(k);
     }
     const double forecast = 2 + forecast_roulette_sum(nothing, nothing, cost_of_difference, pmf, refinements).cost;
@@ -255,13 +256,14 @@ double one_minus_x(RandomStream& random) {
 }
 double reciprocal(RandomStream& random) {
     double product = 1;
-    return telescope_roulette_sum(1.0, [&](std::uint64_t) { return product *= one_minus_x(random); },
-                                  Geometric(reciprocal_r), random);
+    return telescope_roulette_sum(
+        1.0, [&](std::uint64_t) { return product *= one_minus_x(random); }, Geometric(reciprocal_r), random);
 }
 double reciprocal_from_powers(RandomStream& random) {
     const double y = one_minus_x(random);
     double product = 1;
-    return telescope_roulette_sum(1.0, [&](std::uint64_t) { return product *= y; }, Geometric(reciprocal_r), random);
+    return telescope_roulette_sum(
+        1.0, [&](std::uint64_t) { return product *= y; }, Geometric(reciprocal_r), random);
 }
 /// Values in [1, 1 + Σ 0.5^(k+1)/0.55^k] = [1, 6.5].
 Verdict reciprocal_mean(const Draw& draw, const Run& run) {
@@ -311,8 +313,7 @@ Verdict forecasts_are_closed_forms(double first_index) {
                 forecast_single_term(halving_difference, nothing, one, pmf, 400).variance,
                 r / ((1 - r) * (4 * r - 1)) - 1, r);
         compare(fmt::format("halving, roulette sum, r = {}", r),
-                forecast_roulette_sum(halving_difference, nothing, one, pmf, 400).variance, 3 * r / (4 * r - 1) - 1,
-                r);
+                forecast_roulette_sum(halving_difference, nothing, one, pmf, 400).variance, 3 * r / (4 * r - 1) - 1, r);
         compare(fmt::format("exp, single term, r = {}", r),
                 forecast_single_term(exp_difference, nothing, one, pmf, 60).variance,
                 r / (1 - r) * (std::cyl_bessel_i(0, 2 / std::sqrt(r)) - 1) - (e - 1) * (e - 1), r);
@@ -330,7 +331,8 @@ Verdict exp_single_variance(const Draw& draw, const Pmf& pmf, const Run& run) {
 void add_roulette(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/roulette/expectation",
-        .statement = "Nested Russian roulettes keep the mean and have the variance (σ² + μ²)/q − μ², over every outcome.",
+        .statement =
+            "Nested Russian roulettes keep the mean and have the variance (σ² + μ²)/q − μ², over every outcome.",
         .source = "Arvo & Kirk 1990; variance ours, estimators/russian_roulette.h",
         .kind = Kind::exact,
         .check = [](const Run&) { return roulette_enumerated({}); },
@@ -359,7 +361,11 @@ void add_roulette(Catalogue& catalogue) {
         .kind = Kind::ratio,
         .check = [](const Run& run) { return roulette_variance_is({}, run); },
         .mutants = {{"next-q", "Survivors are divided by the survival probability of the next vertex.",
-                     [](const Run& run) { return roulette_variance_is(with_next_q<double>, run); }}},
+                     [](const Run& run) { return roulette_variance_is(with_next_q<double>, run); }},
+                    {"rounded-q", "Survivors are divided by 0.32, not 0.3.",
+                     [](const Run& run) {
+                         return roulette_variance_is([](double value, double q) { return value / (q + 0.02); }, run);
+                     }}},
     });
     catalogue.add({
         .id = "debiasing/roulette/cost",
@@ -411,10 +417,10 @@ void add_infinite_telescoping(Catalogue& catalogue) {
                      [](const Run& run) {
                          return halving_mean(halving_single_term(Distorted{Geometric(0.6), next_pmf, same_tail}), run);
                      }},
-                    {"not-renormalised", "The pmf is drawn up to k = 7 and not divided by its mass.",
+                    {"not-renormalised", "The pmf is drawn up to k = 5 and not divided by its mass.",
                      [](const Run& run) {
                          std::vector<double> weights;
-                         for (std::uint64_t k = 0; k < 8; ++k) weights.push_back(Geometric(0.6).pmf(k));
+                         for (std::uint64_t k = 0; k < 6; ++k) weights.push_back(Geometric(0.6).pmf(k));
                          const auto infinite = [](const auto&, std::uint64_t k) { return Geometric(0.6).pmf(k); };
                          return halving_mean(
                              halving_single_term(Distorted{FinitePmf<double>(weights), infinite, same_tail}), run);
@@ -442,13 +448,19 @@ void add_infinite_telescoping(Catalogue& catalogue) {
         .source = "Misso et al. 2022",
         .kind = Kind::mean,
         .check = [](const Run& run) { return exp_power_law_mean(exp_single_term(PowerLaw(2)), run); },
-        .mutants = {{"density-for-pmf", "p_k is taken for the density a (k+1)^-(a+1) of the continuous law, scaled to "
-                                        "its first value.",
+        .mutants = {{"density-for-pmf",
+                     "p_k is taken for the density a (k+1)^-(a+1) of the continuous law, scaled to "
+                     "its first value.",
                      [](const Run& run) {
                          const auto density = [](const auto&, std::uint64_t k) {
                              return 0.75 * std::pow(static_cast<double>(k) + 1, -3.0);
                          };
                          return exp_power_law_mean(exp_single_term(Distorted{PowerLaw(2), density, same_tail}), run);
+                     }},
+                    {"off-by-normalisation", "The pmf is 3 % too large.",
+                     [](const Run& run) {
+                         const auto large = [](const auto& pmf, std::uint64_t k) { return 1.03 * pmf.pmf(k); };
+                         return exp_power_law_mean(exp_single_term(Distorted{PowerLaw(2), large, same_tail}), run);
                      }}},
     });
     catalogue.add({
@@ -484,17 +496,17 @@ void add_infinite_telescoping(Catalogue& catalogue) {
                          };
                          return trapezoid_mean(trapezoid_sum(Distorted{trapezoid_pmf(), same_pmf, strict}), run);
                      }},
-                    {"rules-not-nested", "K is drawn by a pmf whose weights fall by 2.4, not 2.83.",
+                    {"another-pmf", "K is drawn by a pmf whose weights fall by 2.6, not 2.83.",
                      [](const Run& run) {
                          const Draw other = [](RandomStream& random) {
                              std::vector<double> weights;
                              for (std::uint64_t k = 0; k < refinements; ++k)
-                                 weights.push_back(std::pow(2.4, -static_cast<double>(k)));
+                                 weights.push_back(std::pow(2.6, -static_cast<double>(k)));
                              Trapezoids rule;
                              double current = rule.first();
                              return roulette_sum(
-                                 current, [&](std::uint64_t k) { return rule.difference(k, current); },
-                                 trapezoid_pmf(), FinitePmf<double>(std::move(weights)).sample(random));
+                                 current, [&](std::uint64_t k) { return rule.difference(k, current); }, trapezoid_pmf(),
+                                 FinitePmf<double>(std::move(weights)).sample(random));
                          };
                          return trapezoid_mean(other, run);
                      }}},
@@ -517,6 +529,10 @@ void add_infinite_telescoping(Catalogue& catalogue) {
         .mutants = {{"p-off-by-one", "Divided by p_{k+1}.",
                      [](const Run& run) {
                          return squared_mean_is(squared_mean(Distorted{Geometric(0.4), next_pmf, same_tail}), run);
+                     }},
+                    {"cut-after-two", "The sequence ends at I_2 = 1/4 + 1/48.",
+                     [](const Run& run) {
+                         return squared_mean_is(squared_mean(FinitePmf<double>({0.6, 0.4})), run);
                      }}},
     });
 }
@@ -537,12 +553,10 @@ void add_forecasts(Catalogue& catalogue) {
         .source = "Rhee & Glynn 2015; ours, estimators/telescoping.h",
         .kind = Kind::ratio,
         .check =
-            [](const Run& run) {
-                return exp_single_variance(exp_single_term(Geometric(0.5)), Geometric(0.5), run);
-            },
-        .mutants = {{"another-pmf", "K is drawn and weighted with r = 0.55.",
+            [](const Run& run) { return exp_single_variance(exp_single_term(Geometric(0.5)), Geometric(0.5), run); },
+        .mutants = {{"another-pmf", "K is drawn and weighted with r = 0.51.",
                      [](const Run& run) {
-                         return exp_single_variance(exp_single_term(Geometric(0.55)), Geometric(0.5), run);
+                         return exp_single_variance(exp_single_term(Geometric(0.51)), Geometric(0.5), run);
                      }}},
     });
     catalogue.add({
@@ -556,7 +570,13 @@ void add_forecasts(Catalogue& catalogue) {
                     forecast_roulette_sum(exp_difference, nothing, one, Geometric(0.5), 60).variance;
                 return variance_is(exp_roulette_sum(Geometric(0.5)), forecast, 0.05, 60000, run);
             },
-        .mutants = {{"independent-sum", "The variance of independent terms, Σ Δ_k²/P(K ≥ k) − Σ Δ_k².",
+        .mutants = {{"another-pmf", "K is drawn and weighted with r = 0.48.",
+                     [](const Run& run) {
+                         const double forecast =
+                             forecast_roulette_sum(exp_difference, nothing, one, Geometric(0.5), 60).variance;
+                         return variance_is(exp_roulette_sum(Geometric(0.48)), forecast, 0.05, 60000, run);
+                     }},
+                    {"independent-sum", "The variance of independent terms, Σ Δ_k²/P(K ≥ k) − Σ Δ_k².",
                      [](const Run& run) {
                          double independent = 0;
                          for (std::uint64_t k = 0; k < 60; ++k)
@@ -569,8 +589,7 @@ void add_forecasts(Catalogue& catalogue) {
         .statement = "The roulette sum of prefix products has the variance (1+y)/(1−y) · s r/(r−s) − (y/(1−y))².",
         .source = "ours, verification/suites/debiasing.cpp",
         .kind = Kind::ratio,
-        .check =
-            [](const Run& run) { return variance_is(reciprocal, reciprocal_variance(), 0.05, 80000, run); },
+        .check = [](const Run& run) { return variance_is(reciprocal, reciprocal_variance(), 0.05, 80000, run); },
         .mutants = {{"powers-of-one-sample", "All factors are the same sample.",
                      [](const Run& run) {
                          return variance_is(reciprocal_from_powers, reciprocal_variance(), 0.05, 80000, run);
@@ -587,8 +606,7 @@ void add_forecasts(Catalogue& catalogue) {
             },
         .mutants = {{"rules-not-nested", "Each refinement is said to evaluate all its 2^(k+1) + 1 points anew.",
                      [](const Run&) {
-                         return trapezoid_cost(
-                             [](std::uint64_t k) { return std::ldexp(2, static_cast<int>(k)) + 1; });
+                         return trapezoid_cost([](std::uint64_t k) { return std::ldexp(2, static_cast<int>(k)) + 1; });
                      }}},
     });
 }

@@ -150,8 +150,8 @@ std::vector<WeightTable> grid_of_weights(const std::array<Rationals, 3>& pmfs) {
 }
 
 /// Σ_i (1/n_i) (Σ_x (w_i f)²/p_i − (Σ_x w_i f)²); one-sample: without the second term but for μ², c_i for n_i.
-Rational mis_variance(const WeightTable& w, const Rationals& f, const Rationals& n, const std::array<Rationals, 3>& pmfs,
-                      bool one_sample) {
+Rational mis_variance(const WeightTable& w, const Rationals& f, const Rationals& n,
+                      const std::array<Rationals, 3>& pmfs, bool one_sample) {
     Rational variance = 0, total = 0;
     for (std::size_t i = 0; i < 2; ++i) {
         Rational second = 0, mean = 0;
@@ -170,8 +170,7 @@ Rational mis_variance(const WeightTable& w, const Rationals& f, const Rationals&
 template <class Body>
 void for_problems(int low, const Body& body) {
     for (const auto& pmfs : pmf_pairs)
-        for (int code = 0; code < 27; ++code)
-            body(Rationals{code % 3 + low, code / 3 % 3 + low, code / 9 + low}, pmfs);
+        for (int code = 0; code < 27; ++code) body(Rationals{code % 3 + low, code / 3 % 3 + low, code / 9 + low}, pmfs);
 }
 
 /// V[F̂] ≤ V[F] + (1/min n − 1/Σn) μ² for every table of weights F, F̂ with these weights?
