@@ -323,10 +323,10 @@ void add_mis_claims(Catalogue& catalogue) {
                 return variance_is(multi_sample(Balance{}), predicted_balance_variance(sample_counts), 0.05, 60000,
                                    run);
             },
-        .mutants = {{"one-less-uniform", "The weights are for counts 0.75, 4, 3: unbiased, but of another variance.",
+        .mutants = {{"counts-off", "The weights are for counts 1.4, 4, 3: unbiased, but of another variance.",
                      [](const Run& run) {
                          const Weights<double> other = [](std::span<const double> n, std::span<const double> p) {
-                             return mis_weights<double>(Balance{}, std::vector<double>{0.75, n[1], n[2]}, p);
+                             return mis_weights<double>(Balance{}, std::vector<double>{1.4, n[1], n[2]}, p);
                          };
                          return variance_is(multi_sample_by(with_weights<double>(other)),
                                             predicted_balance_variance(sample_counts), 0.05, 60000, run);

@@ -11,7 +11,9 @@ Catalogue shipped_catalogue();
 void add_debiasing_claims(Catalogue& catalogue);
 void add_density_claims(Catalogue& catalogue);
 void add_exact_mis_claims(Catalogue& catalogue);
+void add_forecast_claims(Catalogue& catalogue);
 void add_mis_claims(Catalogue& catalogue);
+void add_roulette_claims(Catalogue& catalogue);
 void add_variance_reduction_claims(Catalogue& catalogue);
 
 }  // namespace plumb
