@@ -15,5 +15,12 @@ void add_point_set_claims(Catalogue& catalogue);
 void add_point_structure_claims(Catalogue& catalogue);
 void add_point_variance_claims(Catalogue& catalogue);
 void add_star_discrepancy_claims(Catalogue& catalogue);
+void add_debiasing_claims(Catalogue& catalogue);
+void add_density_claims(Catalogue& catalogue);
+void add_exact_mis_claims(Catalogue& catalogue);
+void add_forecast_claims(Catalogue& catalogue);
+void add_mis_claims(Catalogue& catalogue);
+void add_roulette_claims(Catalogue& catalogue);
+void add_variance_reduction_claims(Catalogue& catalogue);
 
 }  // namespace plumb
