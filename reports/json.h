@@ -26,10 +26,12 @@ using ListRow = std::vector<Field>;
 /// What `plumb list … --json` writes: an array with one object a row.
 std::string list_json(std::span<const ListRow> rows);
 
-/// The deep columns of the store.
-std::string verdict_json(const Verdict& verdict);
-Verdict verdict_from_json(std::string_view text, std::string_view name);
+/// One claim, mutant or series as it stands in that document, on one line: the store's columns.
+std::string claim_json(const ClaimResult& claim);
+std::string mutant_json(const MutantResult& mutant);
 std::string series_json(const Series& series);
+ClaimResult claim_from_json(std::string_view text, std::string_view name);
+MutantResult mutant_from_json(std::string_view text, std::string_view name);
 Series series_from_json(std::string_view text, std::string_view name);
 
 }  // namespace plumb

@@ -4,14 +4,15 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "reports/results.h"
 
-struct sqlite3;
-
 namespace plumb {
+
+namespace sqlite {
+class Database;
+}
 
 /// A run as the store lists it.
 struct StoredRun {
@@ -20,8 +21,8 @@ struct StoredRun {
     Tally tally;
 };
 
-/// The results of all runs, in one SQLite file; its tables are described in store.cpp. Every function throws Error,
-/// naming the file, when it is locked, damaged, written by a newer Plumb, not ours, or cannot be written.
+/// The results of all runs in one SQLite file, whose tables store.cpp describes. Every function throws Error, naming
+/// the file, when it is locked, damaged, written by a newer Plumb, another program's, or cannot be written.
 class Store {
 public:
     enum class Access {
@@ -29,21 +30,19 @@ public:
         append,  ///< the file and its folder are made when missing
     };
     /// `patience` is how long to wait for another process that is writing.
-    Store(std::filesystem::path file, Access access, std::chrono::milliseconds patience = std::chrono::seconds(5));
+    Store(const std::filesystem::path& file, Access access,
+          std::chrono::milliseconds patience = std::chrono::seconds(5));
+    ~Store();
 
     /// Stores a run in one transaction and returns its number: 1, 2, …
     std::int64_t append(const Results& results);
-    /// Throws Error for a number that is not there, naming those that are.
+    /// Throws Error for a number that is not there, naming the last one that is.
     [[nodiscard]] Results load(std::int64_t run) const;
     /// All runs, oldest first.
     [[nodiscard]] std::vector<StoredRun> runs() const;
 
 private:
-    struct Close {
-        void operator()(sqlite3* database) const;
-    };
-    std::filesystem::path file_;
-    std::unique_ptr<sqlite3, Close> database_;
+    std::unique_ptr<sqlite::Database> database_;
 };
 
 }  // namespace plumb
