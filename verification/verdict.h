@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
 #include <limits>
 #include <string>
 #include <utility>
@@ -20,7 +21,8 @@ enum class Kind { exact, bounded, distribution, mean, ratio, rate, cost };
 
 std::string to_string(Outcome outcome);
 std::string to_string(Kind kind);
-Outcome outcome_from(std::string_view text);  ///< throws Error on another word
+std::ostream& operator<<(std::ostream& out, Outcome outcome);  ///< so that test frameworks print the word
+Outcome outcome_from(std::string_view text);                   ///< throws Error on another word
 
 /// One named value of the evidence, in the order in which a reader wants them.
 using FieldValue = std::variant<double, std::uint64_t, std::string, std::vector<double>>;
@@ -31,7 +33,7 @@ struct [[nodiscard]] Verdict {
     Outcome outcome = Outcome::undecided;
     double statistic = std::numeric_limits<double>::quiet_NaN();  ///< NaN where the evidence has none
     double p_value = std::numeric_limits<double>::quiet_NaN();    ///< likewise
-    Interval deviation{};      ///< of what was measured from what was claimed, in the claim's unit
+    Interval deviation{};  ///< of what was measured from what was claimed, in the claim's unit
     double resolution = std::numeric_limits<double>::quiet_NaN();  ///< the largest deviation that could still hide
     std::uint64_t samples = 0;
     std::string reason;  ///< one sentence, fit for a report
