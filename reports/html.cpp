@@ -28,12 +28,12 @@ std::string title(const Results& results) {
 std::string report_html(const Results& results, const std::optional<Results>& against) {
     const std::string heading = escaped(title(results)), data = page_data(results, against);
     const std::array<std::pair<std::string_view, std::string_view>, 7> parts = {{{"title", heading},
-                                                                                {"style", page::style()},
-                                                                                {"data", data},
-                                                                                {"licences", page::licences()},
-                                                                                {"d3", page::d3()},
-                                                                                {"plot", page::plot()},
-                                                                                {"script", page::script()}}};
+                                                                                 {"style", page::style()},
+                                                                                 {"data", data},
+                                                                                 {"licences", page::licences()},
+                                                                                 {"d3", page::d3()},
+                                                                                 {"plot", page::plot()},
+                                                                                 {"script", page::script()}}};
     std::string html;
     std::string_view rest = page::document();
     for (const auto& [name, text] : parts) {  // in the order of the document: what is put in is never searched

@@ -27,8 +27,12 @@ double number_from(const Json& json) {
     throw Error(fmt::format("a number, null, \"inf\" or \"-inf\" was expected, not \"{}\"", text));
 }
 
-Json interval(const Interval& i) { return {{"low", number(i.low)}, {"high", number(i.high)}}; }
-Interval interval_from(const Json& json) { return {number_from(json.at("low")), number_from(json.at("high"))}; }
+Json interval(const Interval& i) {
+    return {{"low", number(i.low)}, {"high", number(i.high)}};
+}
+Interval interval_from(const Json& json) {
+    return {number_from(json.at("low")), number_from(json.at("high"))};
+}
 
 Kind kind_from(std::string_view text) {
     std::vector<std::string> known;
@@ -234,8 +238,8 @@ Json to(const ErratumEntry& e) {
 }
 
 Json to(const RunInfo& run) {
-    return {{"seed", run.seed},       {"alpha", number(run.alpha)},     {"threads", run.threads},
-            {"size", run.size},       {"version", run.version},         {"started", run.started},
+    return {{"seed", run.seed},         {"alpha", number(run.alpha)},    {"threads", run.threads},
+            {"size", run.size},         {"version", run.version},        {"started", run.started},
             {"patterns", run.patterns}, {"seconds", number(run.seconds)}};
 }
 
@@ -303,9 +307,15 @@ std::string list_json(std::span<const ListRow> rows) {
     return text_of(json, 2) + "\n";
 }
 
-std::string claim_json(const ClaimResult& claim) { return text_of(to(claim), -1); }
-std::string mutant_json(const MutantResult& mutant) { return text_of(to(mutant), -1); }
-std::string series_json(const Series& series) { return text_of(to(series), -1); }
+std::string claim_json(const ClaimResult& claim) {
+    return text_of(to(claim), -1);
+}
+std::string mutant_json(const MutantResult& mutant) {
+    return text_of(to(mutant), -1);
+}
+std::string series_json(const Series& series) {
+    return text_of(to(series), -1);
+}
 
 ClaimResult claim_from_json(std::string_view text, std::string_view name) {
     return parsed(text, name, "the JSON of a claim", claim_of);

@@ -44,7 +44,9 @@ Database::Database(std::filesystem::path file, int flags, int patience) : file_(
     sqlite3_busy_timeout(handle_, patience);
 }
 
-Database::~Database() { sqlite3_close(handle_); }
+Database::~Database() {
+    sqlite3_close(handle_);
+}
 
 void Database::execute(const std::string& sql) const {
     check(*this, sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr));
@@ -60,7 +62,9 @@ Statement::Statement(const Database& database, std::string_view sql) : database_
           sqlite3_prepare_v2(database.handle(), sql.data(), static_cast<int>(sql.size()), &statement_, nullptr));
 }
 
-Statement::~Statement() { sqlite3_finalize(statement_); }
+Statement::~Statement() {
+    sqlite3_finalize(statement_);
+}
 
 bool Statement::step() {
     const int code = sqlite3_step(statement_);
@@ -68,7 +72,9 @@ bool Statement::step() {
     return code == SQLITE_ROW;
 }
 
-std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(statement_, column); }
+std::int64_t Statement::integer(int column) const {
+    return sqlite3_column_int64(statement_, column);
+}
 
 double Statement::real(int column) const {
     if (sqlite3_column_type(statement_, column) == SQLITE_NULL) return std::numeric_limits<double>::quiet_NaN();
@@ -80,18 +86,26 @@ std::string Statement::text(int column) const {
     return bytes ? std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))) : "";
 }
 
-void Statement::reset() { check(database_, sqlite3_reset(statement_)); }
+void Statement::reset() {
+    check(database_, sqlite3_reset(statement_));
+}
 
-void Statement::bind(int index, double value) { check(database_, sqlite3_bind_double(statement_, index, value)); }
+void Statement::bind(int index, double value) {
+    check(database_, sqlite3_bind_double(statement_, index, value));
+}
 
-void Statement::bind(int index, std::int64_t value) { check(database_, sqlite3_bind_int64(statement_, index, value)); }
+void Statement::bind(int index, std::int64_t value) {
+    check(database_, sqlite3_bind_int64(statement_, index, value));
+}
 
 void Statement::bind(int index, const std::string& value) {
     check(database_,
           sqlite3_bind_text(statement_, index, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT));
 }
 
-Transaction::Transaction(const Database& database) : database_(database) { database.execute("BEGIN IMMEDIATE"); }
+Transaction::Transaction(const Database& database) : database_(database) {
+    database.execute("BEGIN IMMEDIATE");
+}
 
 Transaction::~Transaction() {
     if (open_) sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);

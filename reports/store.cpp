@@ -46,7 +46,9 @@ std::unique_ptr<Database> open(const fs::path& file, Store::Access access, std::
     return std::make_unique<Database>(file, flags, static_cast<int>(patience.count()));
 }
 
-bool is_empty(const Database& database) { return !Statement(database, "SELECT 1 FROM sqlite_schema").step(); }
+bool is_empty(const Database& database) {
+    return !Statement(database, "SELECT 1 FROM sqlite_schema").step();
+}
 
 void create_schema(const Database& database) {
     Transaction transaction(database);
@@ -99,8 +101,8 @@ void add_mutants(const Database& database, std::int64_t run, const std::vector<M
     std::int64_t position = 0;
     for (const MutantResult& mutant : mutants)
         insert
-            .with(run, position++, mutant.id, mutant.of, to_string(mutant.verdict.outcome),
-                  std::int64_t{mutant.killed}, mutant_json(mutant))
+            .with(run, position++, mutant.id, mutant.of, to_string(mutant.verdict.outcome), std::int64_t{mutant.killed},
+                  mutant_json(mutant))
             .step();
 }
 
@@ -162,8 +164,7 @@ Results Store::load(std::int64_t run) const {
     results.series = rows(*database_, "series", run, series_from_json);
     Statement errata(*database_, "SELECT source, printed, correct, claim FROM errata WHERE run = ? ORDER BY position");
     errata.with(run);
-    while (errata.step())
-        results.errata.push_back({errata.text(0), errata.text(1), errata.text(2), errata.text(3)});
+    while (errata.step()) results.errata.push_back({errata.text(0), errata.text(1), errata.text(2), errata.text(3)});
     return results;
 }
 

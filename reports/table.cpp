@@ -12,7 +12,9 @@ constexpr const char* red = "\033[1;31m";
 constexpr const char* yellow = "\033[33m";
 constexpr const char* plain = "\033[0m";
 
-std::string in_colour(const std::string& text, const char* colour) { return colour + text + plain; }
+std::string in_colour(const std::string& text, const char* colour) {
+    return colour + text + plain;
+}
 
 /// Colours the words that say an outcome.
 std::string paint_outcome(std::size_t, const std::string& cell) {
@@ -23,8 +25,12 @@ std::string paint_outcome(std::size_t, const std::string& cell) {
     return cell;
 }
 
-Paint paint(const TableStyle& style) { return style.colour ? paint_outcome : nullptr; }
-std::size_t columns(const TableStyle& style) { return static_cast<std::size_t>(std::max(style.width, 0)); }
+Paint paint(const TableStyle& style) {
+    return style.colour ? paint_outcome : nullptr;
+}
+std::size_t columns(const TableStyle& style) {
+    return static_cast<std::size_t>(std::max(style.width, 0));
+}
 
 std::string living_mutants(const Results& results, const TableStyle& style) {
     std::vector<std::vector<std::string>> rows;
@@ -34,24 +40,28 @@ std::string living_mutants(const Results& results, const TableStyle& style) {
     return "\n" + table({{"mutant"}, {"id"}, {"its claim"}, {"defect"}}, rows, columns(style), paint(style));
 }
 
-std::string seconds_text(double seconds) { return fmt::format("{:.2f}", seconds); }
+std::string seconds_text(double seconds) {
+    return fmt::format("{:.2f}", seconds);
+}
 
 /// Whether the fitted slope's interval meets the expected one, in words.
 std::string against_expectation(const Series& series) {
     if (!series.expected_slope) return "nothing expected";
     const Interval& expected = *series.expected_slope;
-    const std::string range = expected.low == expected.high ? fmt::format("{:.3g}", expected.low)
-                                                            : fmt::format("{:.3g} to {:.3g}", expected.low, expected.high);
+    const std::string range = expected.low == expected.high
+                                  ? fmt::format("{:.3g}", expected.low)
+                                  : fmt::format("{:.3g} to {:.3g}", expected.low, expected.high);
     return fmt::format("{} the expected {}", series.slope.interval.disjoint(expected) ? "outside" : "meets", range);
 }
 
 std::string series_table(const Series& series, const TableStyle& style) {
     std::vector<std::vector<std::string>> rows;
     for (const ConvergencePoint& p : series.points)
-        rows.push_back({std::to_string(p.n), readable(p.evaluations), readable(p.seconds), readable(p.mse),
+        rows.push_back({std::to_string(p.n), fmt::format("{:.6g}", p.evaluations), readable(p.seconds), readable(p.mse),
                         fmt::format("[{}, {}]", readable(p.mse_interval.low), readable(p.mse_interval.high)),
                         fmt::format("{} ± {}", readable(p.bias), readable(p.bias_standard_error))});
-    const std::string head = fmt::format("{} on {}, {} replicates\n", series.estimator, series.integrand, series.replicates);
+    const std::string head =
+        fmt::format("{} on {}, {} replicates\n", series.estimator, series.integrand, series.replicates);
     const std::string slope =
         fmt::format("slope {} [{}, {}], {}\n", readable(series.slope.value), readable(series.slope.interval.low),
                     readable(series.slope.interval.high), against_expectation(series));

@@ -8,7 +8,9 @@
 namespace plumb {
 namespace {
 
-bool starts_code_point(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }
+bool starts_code_point(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+}
 
 std::string padded(const std::string& cell, std::size_t width, Align align) {
     const std::string blanks(width - std::min(width, columns_of(cell)), ' ');
@@ -30,7 +32,9 @@ std::string shortened(std::string_view text, std::size_t width) {
     return std::string(text.substr(0, bytes)) + "…";
 }
 
-std::string readable(double x) { return std::isnan(x) ? "–" : fmt::format("{:.3g}", x); }
+std::string readable(double x) {
+    return std::isnan(x) ? "–" : fmt::format("{:.3g}", x);
+}
 
 std::string readable_count(std::uint64_t count) {
     if (count < 10'000) return std::to_string(count);
@@ -41,6 +45,7 @@ std::string readable_count(std::uint64_t count) {
 }
 
 std::string readable(const Interval& i) {
+    if (i.low == 0 && i.high > 0) return fmt::format("≤ {:.2g}", i.high);  // of something that has no sign
     if (i.bounded()) {
         const double half = i.width() / 2, middle = i.low + half;
         return half == 0 ? fmt::format("{:.2g}", middle) : fmt::format("{:.1e} ± {:.1e}", middle, half);

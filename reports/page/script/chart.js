@@ -46,7 +46,7 @@ function figure(name, label, draw, csv) {
   };
   new ResizeObserver(([entry]) => {
     const now = Math.floor(entry.contentRect.width);
-    if (now !== width) { width = now; redraw(); }
+    if (now !== width) { width = now; requestAnimationFrame(redraw); }  // not in the observer: it changes the height
   }).observe(frame);
   const element = h("figure", {}, frame, notes, h("div", { class: "buttons" },
     button("Data as CSV", save("csv")), button("Plot as SVG", save("svg"))));
@@ -59,7 +59,7 @@ function logAxis(label, width, domain, base = 10) {
   const room = Math.max(2, Math.floor(width / 70)), step = Math.max(1, Math.ceil((high - low) / room));
   const ticks = d3.range(Math.ceil(low / step - 1e-9) * step, high + 1e-9, step).map((e) => base ** e);
   const tickFormat = base === 2 ? (x) => String(x) : (x) => `10${superscript(String(Math.round(Math.log10(x))))}`;
-  return { type: "log", label, domain, ticks: ticks.length > 1 ? ticks : 4, tickFormat: ticks.length > 1 ? tickFormat : (x) => readable(x, 2), grid: true };
+  return { type: "log", base, label, domain, ticks: ticks.length > 1 ? ticks : 4, tickFormat: ticks.length > 1 ? tickFormat : (x) => readable(x, 2), grid: true };
 }
 
 /** The extent of positive numbers, widened a little on a logarithmic scale. */

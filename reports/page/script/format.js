@@ -23,7 +23,7 @@ function readable(value, digits = 3) {
   if (size >= 1e-3 && size < 1e5)
     return String(Number(x.toPrecision(digits))).replace("-", MINUS);
   const [mantissa, exponent] = x.toExponential(digits - 1).split("e");
-  return `${mantissa.replace("-", MINUS)}×10${superscript(String(Number(exponent)))}`;
+  return `${String(Number(mantissa)).replace("-", MINUS)}×10${superscript(String(Number(exponent)))}`;
 }
 
 /** 1234567 as 1.23 M */

@@ -4,10 +4,11 @@ function overviewSection(chooseMethod) {
   return section("overview", "Outcome", null, tallyCards(), methodTable(chooseMethod));
 }
 
-/** #claim=id opens that claim. */
-function followHash(open) {
-  const [, id] = /^#claim=(.+)$/.exec(decodeURIComponent(location.hash)) ?? [];
-  if (id) open(id);
+/** #claim=id opens that claim; #section needs help only at the start, when the section was not there yet. */
+function followHash(openClaim) {
+  const hash = decodeURIComponent(location.hash.slice(1));
+  if (hash.startsWith("claim=")) openClaim?.(hash.slice("claim=".length));
+  else if (hash) document.getElementById(hash)?.scrollIntoView();
 }
 
 function build() {
@@ -25,10 +26,8 @@ function build() {
   ].filter(Boolean);
   document.getElementById("top").replaceWith(...pageHeader(claims.length ? "Plumb: verification report" : "Plumb: convergence", sections));
   document.getElementById("main").replaceChildren(...sections);
-  if (verdicts) {
-    addEventListener("hashchange", () => followHash(verdicts.open));
-    followHash(verdicts.open);
-  }
+  addEventListener("hashchange", () => followHash(verdicts?.open));
+  followHash(verdicts?.open);
 }
 
 build();

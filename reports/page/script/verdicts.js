@@ -1,19 +1,19 @@
 // The list of verdicts: filters, one line a claim, its evidence behind the line.
 
 const SORTS = {
-  catalogue: { label: "in the catalogue's order", by: null },
+  catalogue: { label: "as catalogued", by: null },
   outcome: { label: "worst first", by: (a, b) => severity(b) - severity(a) },
   seconds: { label: "slowest first", by: (a, b) => num(b.seconds) - num(a.seconds) },
   samples: { label: "most samples first", by: (a, b) => b.samples - a.samples },
 };
 const severity = (claim) => ["holds", "undecided", "refuted"].indexOf(claim.outcome);
 
-const term = (name, ...value) => [h("dt", {}, name), h("dd", {}, ...value)];
+const term = (name, ...value) => h("div", {}, h("dt", {}, name), h("dd", {}, ...value));
 const number = (name, value, format = readable) => (Number.isNaN(num(value)) ? [] : term(name, format(value)));
 
 /** A field of the evidence: numbers readable, long lists cut with the rest behind a click. */
 function evidenceValue(value) {
-  if (!Array.isArray(value)) return typeof value === "string" && !Number.isFinite(num(value)) && !/^-?inf$/.test(value) ? value : readable(value, 6);
+  if (!Array.isArray(value)) return typeof value === "string" && !Number.isFinite(num(value)) && !/^-?inf$/.test(value) ? value : readable(value, 9);
   const text = value.map((x) => readable(x, 4));
   if (text.length <= 12) return text.join(", ");
   return h("details", {}, h("summary", {}, `${text.slice(0, 8).join(", ")}, … (${text.length} values)`), text.slice(8).join(", "));
@@ -26,19 +26,27 @@ function mutantLines(claim) {
     h("li", {}, killBadge(mutant), ` ${mutant.id.replace(`${claim.id}/`, "")}: ${mutant.defect}`))));
 }
 
+function seriesLinks(claim, showSeries) {
+  const link = (series) => h("a", { href: "#convergence", onclick: () => showSeries(series.integrand) }, `${series.estimator} on ${series.integrand}`);
+  return claim.series?.length ? term("Series", h("ul", {}, claim.series.map((series) => h("li", {}, link(series))))) : [];
+}
+
+/** What is still possible after `holds`; for the other outcomes, what the claim would have excluded. */
+function resolution(claim) {
+  const found = num(claim.resolution);
+  return number(claim.outcome === "holds" ? "could still hide" : "to be excluded", found, (x) => (x === 0 ? "nothing" : `±${readable(x)}`));
+}
+
 function evidence(claim, showSeries) {
-  const bounded = interval(claim.deviation) !== DASH;
-  return h("dl", {},
-    term("Source", claim.source), term("Why", claim.reason || DASH),
-    number("Statistic", claim.statistic), number("p-value", claim.p_value),
-    bounded ? term("Deviation", interval(claim.deviation)) : [],
-    number("Could still hide", claim.resolution, (x) => `up to ${readable(x)}`),
-    num(claim.alpha_share) > 0 ? term("False-alarm share", readable(claim.alpha_share)) : [],
-    term("Samples", num(claim.samples).toLocaleString("en")), term("Time", seconds(claim.seconds)),
-    Object.entries(claim.evidence).map(([name, value]) => term(name, evidenceValue(value))),
-    mutantLines(claim),
-    claim.series?.length ? term("Series", h("ul", {}, claim.series.map((s) => h("li", {},
-      h("a", { href: "#convergence", onclick: () => showSeries(s.integrand) }, `${s.estimator} on ${s.integrand}`))))) : []);
+  const deviation = interval(claim.deviation);
+  const fields = Object.entries(claim.evidence).map(([name, value]) => term(name.replaceAll("_", " "), evidenceValue(value)));
+  return h("div", { class: "evidence" },
+    h("dl", { class: "texts" }, term("Why", claim.reason || DASH), term("Source", claim.source), mutantLines(claim), seriesLinks(claim, showSeries)),
+    h("dl", { class: "facts" },
+      deviation === DASH ? [] : term("deviation", deviation), resolution(claim),
+      number("statistic", claim.statistic), number("p-value", claim.p_value),
+      num(claim.alpha_share) > 0 ? term("false-alarm share", readable(claim.alpha_share)) : [],
+      term("samples", num(claim.samples).toLocaleString("en")), term("time", seconds(claim.seconds)), fields));
 }
 
 /** One claim: the line, and its evidence, which is made when it is first opened. */
@@ -48,7 +56,7 @@ function claimItem(claim, showSeries) {
       h("span", { class: "what" }, h("span", { class: "id" }, claim.id), h("span", { class: "statement" }, claim.statement)),
       h("span", { class: "kind" }, claim.kind), h("span", { class: "deviation" }, deviationGlyph(claim) ?? ""),
       h("span", { class: "number samples" }, count(claim.samples)), h("span", { class: "number time" }, seconds(claim.seconds))));
-  item.addEventListener("toggle", () => { if (!item.querySelector("dl")) item.append(evidence(claim, showSeries)); }, { once: true });
+  item.addEventListener("toggle", () => { item.append(evidence(claim, showSeries)); }, { once: true });
   return item;
 }
 
