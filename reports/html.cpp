@@ -51,7 +51,7 @@ void write_report(const Results& results, const std::optional<Results>& against,
 }
 
 void write_converge_report(const RunInfo& run, std::span<const Series> series, const std::filesystem::path& file) {
-    Results results{.run = run, .claims = {}, .mutants = {}, .errata = {}, .series = {series.begin(), series.end()}};
+    Results results{.run = run, .series = {series.begin(), series.end()}};
     write_report(results, {}, file);
 }
 

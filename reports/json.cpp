@@ -255,7 +255,7 @@ RunInfo run_of(const Json& json) {
 }
 
 Results results_of(const Json& json) {
-    Results results{.run = run_of(json.at("run")), .claims = {}, .mutants = {}, .errata = {}, .series = {}};
+    Results results{.run = run_of(json.at("run"))};
     for (const Json& claim : json.at("claims")) results.claims.push_back(claim_of(claim));
     for (const Json& mutant : json.at("mutants")) results.mutants.push_back(mutant_of(mutant));
     for (const Json& e : json.at("errata"))

@@ -47,11 +47,11 @@ struct ErratumEntry {
 
 /// Everything a run found: the one value that tables, JSON, the store and the page render.
 struct Results {
-    RunInfo run;
-    std::vector<ClaimResult> claims;
-    std::vector<MutantResult> mutants;
-    std::vector<ErratumEntry> errata;
-    std::vector<Series> series;  ///< convergence that belongs to no claim (`plumb converge`)
+    RunInfo run = {};
+    std::vector<ClaimResult> claims = {};
+    std::vector<MutantResult> mutants = {};
+    std::vector<ErratumEntry> errata = {};
+    std::vector<Series> series = {};  ///< convergence that belongs to no claim (`plumb converge`)
 };
 
 struct Tally {

@@ -50,6 +50,7 @@ public:
     /// False after the last row.
     bool step();
 
+    [[nodiscard]] const Database& database() const { return database_; }
     [[nodiscard]] std::int64_t integer(int column) const;
     /// NULL reads as NaN, the only number that SQLite cannot hold.
     [[nodiscard]] double real(int column) const;

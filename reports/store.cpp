@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <charconv>
 #include <system_error>
 
 #include "core/error.h"
@@ -75,8 +76,18 @@ std::int64_t add_run(const Database& database, const RunInfo& run) {
     return sqlite3_last_insert_rowid(database.handle());
 }
 
+std::uint64_t seed_from(const Statement& row, int column) {
+    const std::string text = row.text(column);
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (error != std::errc() || end != text.data() + text.size())
+        throw Error(fmt::format("{}: run {} has the seed '{}', which is no number", row.database().file().string(),
+                                row.integer(0), text));
+    return seed;
+}
+
 RunInfo run_info(const Statement& row) {  // of a query for runs.*
-    return {.seed = std::stoull(row.text(1)),
+    return {.seed = seed_from(row, 1),
             .alpha = row.real(2),
             .threads = static_cast<int>(row.integer(3)),
             .size = row.text(4),
@@ -158,7 +169,7 @@ Results Store::load(std::int64_t run) const {
         throw Error(fmt::format("{}: there is no run {}; the last one is {}", database_->file().string(), run,
                                 last.integer(0)));
     }
-    Results results{.run = run_info(select), .claims = {}, .mutants = {}, .errata = {}, .series = {}};
+    Results results{.run = run_info(select)};
     results.claims = rows(*database_, "claims", run, claim_from_json);
     results.mutants = rows(*database_, "mutants", run, mutant_from_json);
     results.series = rows(*database_, "series", run, series_from_json);

@@ -18,7 +18,7 @@ function deviationGlyph(verdict) {
   const clamp = (x) => Math.min(Math.max(x / resolution, -reach), reach);
   const x = (value) => width / 2 + (clamp(value) / reach) * (width / 2 - margin);
   const arrow = (at, direction) => svgElement("path",
-    { d: `M${at},${middle}l${-4 * direction},-4v8z`, class: "interval-arrow" });
+    { d: `M${at},${middle}l${-5 * direction},-5v10z`, class: "interval-arrow" });
   const text = `deviation ${interval(verdict.deviation)}, band ±${readable(resolution)}`;
   const left = x(low), right = Math.max(x(high), x(low) + 2);
   return svgElement("svg", { class: `glyph ${verdict.outcome}`, width, height, viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": text },

@@ -27,8 +27,10 @@ function mutantLines(claim) {
 }
 
 function seriesLinks(claim, showSeries) {
-  const link = (series) => h("a", { href: "#convergence", onclick: () => showSeries(series.integrand) }, `${series.estimator} on ${series.integrand}`);
-  return claim.series?.length ? term("Series", h("ul", {}, claim.series.map((series) => h("li", {}, link(series))))) : [];
+  if (!claim.series?.length) return [];
+  const links = [...d3.group(claim.series, (series) => series.integrand)].map(([integrand, list]) => h("li", {},
+    h("a", { href: "#convergence", onclick: () => showSeries(integrand) }, `${list.map((s) => s.estimator).join("; ")} on ${integrand}`)));
+  return term("Series", h("ul", {}, links));
 }
 
 /** What is still possible after `holds`; for the other outcomes, what the claim would have excluded. */
