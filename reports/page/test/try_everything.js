@@ -1,7 +1,7 @@
-// Run inside the page by html_test.cpp: tries every control, and leaves what it saw in attributes of <body>.
-addEventListener("error", (event) => { document.body.dataset.error = event.message; });
+// Run inside the page by html_test.cpp: tries every control, and tells the page around it what it saw.
+const saw = {};
+addEventListener("error", (event) => { saw.error = event.message; });
 
-const saw = document.body.dataset;
 const all = (selector) => [...document.querySelectorAll(selector)];
 const settled = () => new Promise((done) => setTimeout(done, 100));
 const change = (control, type) => control.dispatchEvent(new Event(type));
@@ -9,6 +9,7 @@ const change = (control, type) => control.dispatchEvent(new Event(type));
 function look() {
   saw.sections = all("section").map((e) => e.id).join(" ");
   saw.plots = all(".plot svg").length;
+  saw.width = document.documentElement.clientWidth;
   saw.overflow = document.documentElement.scrollWidth - document.documentElement.clientWidth;
   saw.clamped = all(".note").some((e) => e.textContent.includes("2 confidence bounds at or below 0"));
   saw.escaped = all(".statement").some((e) => e.textContent.includes("<script>alert(1)"));
@@ -55,5 +56,5 @@ async function find() {
   await find();
   saw.wrongNumbers = all("section, svg").some((e) => /NaN|undefined|\[object/.test(e.textContent));
   saw.plotsAfter = all(".plot svg").length;
-  saw.done = "yes";
+  parent.postMessage(saw, "*");
 })();
