@@ -13,7 +13,9 @@ const allSeries = [
   ...(results.series ?? []).map((series) => ({ ...series, claim: "" })),
 ].map((series, index) => ({ ...series, key: `s${index}`, points: series.points.map(numericPoint) }));
 
-const allStability = claims.flatMap((claim) => (claim.stability ?? []).map((record) => ({ ...record, claim: claim.id })));
+const allStability = claims.flatMap((claim) =>
+  (claim.stability ?? []).map((record) => ({ ...record, claim: claim.id })),
+);
 
 function numericPoint(point) {
   return Object.fromEntries(Object.entries(point).map(([name, value]) => [name, num(value)]));
@@ -26,10 +28,16 @@ const OUTCOMES = {
 };
 
 function badge(outcome, text = OUTCOMES[outcome].label) {
-  return h("span", { class: `badge ${outcome}` }, h("span", { "aria-hidden": "true" }, OUTCOMES[outcome].sign), ` ${text}`);
+  return h(
+    "span",
+    { class: `badge ${outcome}` },
+    h("span", { "aria-hidden": "true" }, OUTCOMES[outcome].sign),
+    ` ${text}`,
+  );
 }
 
-const countOutcomes = (list) => Object.keys(OUTCOMES).map((outcome) => [outcome, list.filter((x) => x.outcome === outcome).length]);
+const countOutcomes = (list) =>
+  Object.keys(OUTCOMES).map((outcome) => [outcome, list.filter((x) => x.outcome === outcome).length]);
 
 const claimLink = (id, text = id) =>
   claimById.has(id) ? h("a", { href: `#claim=${id}`, class: "id" }, text) : h("span", { class: "id" }, text);

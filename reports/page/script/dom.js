@@ -12,23 +12,35 @@ function h(tag, properties = {}, ...children) {
   return element;
 }
 
-const slug = (text) => text.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
+const slug = (text) =>
+  text
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, "-")
+    .replace(/^-|-$/g, "");
 
 function section(id, title, lead, ...children) {
-  return h("section", { id, "aria-labelledby": `${id}-title` },
-    h("h2", { id: `${id}-title` }, title), lead ? h("p", { class: "lead" }, lead) : null, ...children);
+  return h(
+    "section",
+    { id, "aria-labelledby": `${id}-title` },
+    h("h2", { id: `${id}-title` }, title),
+    lead ? h("p", { class: "lead" }, lead) : null,
+    ...children,
+  );
 }
 
 /** A labelled <select>; `choices` are [value, text] pairs. */
 function choice(label, choices, onchange) {
-  const select = h("select", { onchange: () => onchange(select.value) },
-    choices.map(([value, text]) => h("option", { value }, text)));
+  const select = h(
+    "select",
+    { onchange: () => onchange(select.value) },
+    choices.map(([value, text]) => h("option", { value }, text)),
+  );
   return { element: h("label", { class: "control" }, h("span", {}, label), select), select };
 }
 
 function checkbox(label, checked, onchange) {
   const input = h("input", { type: "checkbox", checked, onchange: () => onchange(input.checked) });
-  return h("label", { class: "check" }, input, h("span", {}, label));
+  return h("label", { class: "check" }, input, label);
 }
 
 const button = (label, onclick, title) => h("button", { type: "button", onclick, title }, label);
@@ -36,11 +48,35 @@ const button = (label, onclick, title) => h("button", { type: "button", onclick,
 /** A table; cells are text or elements, `numeric` the indices of columns aligned to the right. */
 function dataTable(caption, headings, rows, numeric = []) {
   const kind = (i) => (numeric.includes(i) ? "number" : null);
-  return h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": caption },
-    h("table", {}, h("caption", {}, caption),
-      h("thead", {}, h("tr", {}, headings.map((text, i) => h("th", { scope: "col", class: kind(i) }, text)))),
-      h("tbody", {}, rows.map((row) =>
-        h("tr", {}, row.map((cell, i) => h("td", { class: kind(i), "data-label": headings[i] }, cell)))))));
+  return h(
+    "div",
+    { class: "scroll", tabindex: "0", role: "region", "aria-label": caption },
+    h(
+      "table",
+      {},
+      h("caption", {}, caption),
+      h(
+        "thead",
+        {},
+        h(
+          "tr",
+          {},
+          headings.map((text, i) => h("th", { scope: "col", class: kind(i) }, text)),
+        ),
+      ),
+      h(
+        "tbody",
+        {},
+        rows.map((row) =>
+          h(
+            "tr",
+            {},
+            row.map((cell, i) => h("td", { class: kind(i), "data-label": headings[i] }, cell)),
+          ),
+        ),
+      ),
+    ),
+  );
 }
 
 function download(name, type, text) {

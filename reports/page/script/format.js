@@ -1,6 +1,8 @@
 // Numbers and words as a reader wants them.
 
-const THIN = "\u2009", MINUS = "\u2212", DASH = "–";
+const THIN = "\u2009",
+  MINUS = "\u2212",
+  DASH = "–";
 
 /** JSON has no NaN and no infinities: null, "inf" and "-inf" stand for them (docs/json.md). */
 function num(value) {
@@ -20,8 +22,7 @@ function readable(value, digits = 3) {
   if (!Number.isFinite(x)) return x > 0 ? "∞" : MINUS + "∞";
   if (x === 0) return "0";
   const size = Math.abs(x);
-  if (size >= 1e-3 && size < 1e5)
-    return String(Number(x.toPrecision(digits))).replace("-", MINUS);
+  if (size >= 1e-3 && size < 1e5) return String(Number(x.toPrecision(digits))).replace("-", MINUS);
   const [mantissa, exponent] = x.toExponential(digits - 1).split("e");
   return `${String(Number(mantissa)).replace("-", MINUS)}×10${superscript(String(Number(exponent)))}`;
 }

@@ -24,7 +24,9 @@ function build() {
     mutants.length ? mutantSection() : null,
     results.errata?.length ? errataSection() : null,
   ].filter(Boolean);
-  document.getElementById("top").replaceWith(...pageHeader(claims.length ? "Plumb: verification report" : "Plumb: convergence", sections));
+  document
+    .getElementById("top")
+    .replaceWith(...pageHeader(claims.length ? "Plumb: verification report" : "Plumb: convergence", sections));
   document.getElementById("main").replaceChildren(...sections);
   addEventListener("hashchange", () => followHash(verdicts?.open));
   followHash(verdicts?.open);

@@ -37,17 +37,24 @@ function plottable(series, x, y) {
 function expectedLine({ drawn }, series, x, y) {
   const expected = series.expected_slope;
   if (!expected || x !== "n" || !Y_AXES[y].slope || drawn.length < 2) return [];
-  const slope = Y_AXES[y].slope * (num(expected.low) + num(expected.high)) / 2;
+  const slope = (Y_AXES[y].slope * (num(expected.low) + num(expected.high))) / 2;
   if (!Number.isFinite(slope)) return [];
   const middle = [d3.mean(drawn, (d) => Math.log(d.x)), d3.mean(drawn, (d) => Math.log(d.y))];
-  return [drawn[0].x, drawn.at(-1).x].map((at) => ({ series, x: at, y: Math.exp(middle[1] + slope * (Math.log(at) - middle[0])) }));
+  return [drawn[0].x, drawn.at(-1).x].map((at) => ({
+    series,
+    x: at,
+    y: Math.exp(middle[1] + slope * (Math.log(at) - middle[0])),
+  }));
 }
 
 function tipText(d) {
   const p = d.point;
-  return [d.series.estimator, `n ${p.n} · ${readable(p.evaluations)} evaluations · ${seconds(p.seconds)}`,
+  return [
+    d.series.estimator,
+    `n ${p.n} · ${readable(p.evaluations)} evaluations · ${seconds(p.seconds)}`,
     `MSE ${readable(p.mse)} [${readable(p.mse_low)}, ${readable(p.mse_high)}]`,
-    `bias ${readable(p.bias)} ± ${readable(p.bias_standard_error)}`].join("\n");
+    `bias ${readable(p.bias)} ± ${readable(p.bias_standard_error)}`,
+  ].join("\n");
 }
 
 function seriesMarks(list, { x, y, bands, expected }) {
@@ -60,9 +67,16 @@ function seriesMarks(list, { x, y, bands, expected }) {
   const clamped = bands ? points.filter((d) => d.lowClamped || d.highClamped) : [];
   const marks = [
     bands ? Plot.areaY(points, { x: "x", y1: "low", y2: "high", z: key, fill: colour, fillOpacity: 0.16 }) : null,
-    expected ? Plot.line(lines, { x: "x", y: "y", z: key, stroke: colour, strokeDasharray: "2 4", strokeWidth: 1.25 }) : null,
+    expected
+      ? Plot.line(lines, { x: "x", y: "y", z: key, stroke: colour, strokeDasharray: "2 4", strokeWidth: 1.25 })
+      : null,
     Plot.line(points, { x: "x", y: "y", z: key, stroke: colour, strokeWidth: 1.75 }),
-    Plot.text(clamped, { x: "x", y: (d) => (d.lowClamped ? d.low : d.high), text: (d) => (d.lowClamped ? "▽" : "△"), fill: colour }),
+    Plot.text(clamped, {
+      x: "x",
+      y: (d) => (d.lowClamped ? d.low : d.high),
+      text: (d) => (d.lowClamped ? "▽" : "△"),
+      fill: colour,
+    }),
     Plot.dot(points, { x: "x", y: "y", stroke: colour, fill: "var(--paper)", symbol, r: 3.5, strokeWidth: 1.75 }),
     Plot.tip(points, Plot.pointer({ x: "x", y: "y", title: tipText })),
   ];
@@ -72,28 +86,64 @@ function seriesMarks(list, { x, y, bands, expected }) {
 
 function seriesNote({ clamped, missing }, y) {
   const notes = [];
-  if (clamped) notes.push(`${plural(clamped, "confidence bound")} at or below 0 (or infinite) cannot stand on a logarithmic axis: drawn a factor of ten away, marked ▽ or △.`);
-  if (missing) notes.push(`${plural(missing, "point")} not drawn: the ${Y_AXES[y].label.split(" ")[0]} or the work is 0 or unknown.`);
+  if (clamped)
+    notes.push(
+      `${plural(clamped, "confidence bound")} at or below 0 (or infinite) cannot stand on a logarithmic axis: drawn a factor of ten away, marked ▽ or △.`,
+    );
+  if (missing)
+    notes.push(
+      `${plural(missing, "point")} not drawn: the ${Y_AXES[y].label.split(" ")[0]} or the work is 0 or unknown.`,
+    );
   return notes.join(" ");
 }
 
 /** The options of Plot.plot for these series. */
 function drawSeries(list, setting, width) {
   const drawn = seriesMarks(list, setting);
-  const xs = logDomain(drawn.points.map((d) => d.x)), ys = logDomain(drawn.values);
+  const xs = logDomain(drawn.points.map((d) => d.x)),
+    ys = logDomain(drawn.values);
   const height = Math.round(Math.min(460, Math.max(280, width * 0.6)));
   return {
-    height, marginLeft: 52, marginBottom: 42, marginRight: 16, marginTop: 28,
+    height,
+    marginLeft: 52,
+    marginBottom: 42,
+    marginRight: 16,
+    marginTop: 28,
     x: logAxis(X_AXES[setting.x].label, width, xs, X_AXES[setting.x].base),
     y: logAxis(Y_AXES[setting.y].label, height, ys),
-    symbol: { type: "identity" }, marks: drawn.marks, note: seriesNote(drawn, setting.y),
+    symbol: { type: "identity" },
+    marks: drawn.marks,
+    note: seriesNote(drawn, setting.y),
   };
 }
 
 function seriesCsv(list) {
-  const headings = ["estimator", "integrand", "claim", "replicates", ...CSV_COLUMNS, "slope", "slope_low", "slope_high", "expected_low", "expected_high"];
-  const rows = list.flatMap((s) => s.points.map((p) => [s.estimator, s.integrand, s.claim, s.replicates, ...CSV_COLUMNS.map((c) => p[c]),
-    num(s.slope.value), num(s.slope.low), num(s.slope.high), num(s.expected_slope?.low), num(s.expected_slope?.high)]));
+  const headings = [
+    "estimator",
+    "integrand",
+    "claim",
+    "replicates",
+    ...CSV_COLUMNS,
+    "slope",
+    "slope_low",
+    "slope_high",
+    "expected_low",
+    "expected_high",
+  ];
+  const rows = list.flatMap((s) =>
+    s.points.map((p) => [
+      s.estimator,
+      s.integrand,
+      s.claim,
+      s.replicates,
+      ...CSV_COLUMNS.map((c) => p[c]),
+      num(s.slope.value),
+      num(s.slope.low),
+      num(s.slope.high),
+      num(s.expected_slope?.low),
+      num(s.expected_slope?.high),
+    ]),
+  );
   return [headings, rows];
 }
 

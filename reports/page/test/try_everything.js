@@ -1,13 +1,17 @@
 // Run inside the page by html_test.cpp: tries every control, and tells the page around it what it saw.
 const saw = {};
-addEventListener("error", (event) => { saw.error = event.message; });
+addEventListener("error", (event) => {
+  saw.error = event.message;
+});
 
 const all = (selector) => [...document.querySelectorAll(selector)];
 const settled = () => new Promise((done) => setTimeout(done, 100));
 const change = (control, type) => control.dispatchEvent(new Event(type));
 
 function look() {
-  saw.sections = all("section").map((e) => e.id).join(" ");
+  saw.sections = all("section")
+    .map((e) => e.id)
+    .join(" ");
   saw.plots = all(".plot svg").length;
   saw.width = document.documentElement.clientWidth;
   saw.overflow = document.documentElement.scrollWidth - document.documentElement.clientWidth;
@@ -17,8 +21,13 @@ function look() {
 
 async function downloadAll() {
   const blobs = [];
-  URL.createObjectURL = (blob) => { blobs.push(blob); return "#"; };
-  all(".buttons button").filter((button) => /CSV|SVG/.test(button.textContent)).forEach((button) => button.click());
+  URL.createObjectURL = (blob) => {
+    blobs.push(blob);
+    return "#";
+  };
+  all(".buttons button")
+    .filter((button) => /CSV|SVG/.test(button.textContent))
+    .forEach((button) => button.click());
   const [csv, svg] = await Promise.all(blobs.map((blob) => blob.text()));
   if (!svg) return;
   saw.csvRows = csv.trim().split("\r\n").length;
@@ -33,8 +42,13 @@ async function chooseEverything() {
       change(select, "change");
       await settled();
     }
-  all("details").forEach((details) => { details.open = true; });
-  all("input[type=checkbox]").forEach((box) => { box.click(); box.click(); });
+  all("details").forEach((details) => {
+    details.open = true;
+  });
+  all("input[type=checkbox]").forEach((box) => {
+    box.click();
+    box.click();
+  });
 }
 
 async function find() {
