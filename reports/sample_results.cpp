@@ -79,6 +79,14 @@ Stability balance_weights() {
                        {"a thousand pdfs", 0, 3.2}}};
 }
 
+Stability telescoping_weights() {
+    return {.formula = "telescoping weights",
+            .axis = "k",
+            .unit = "relative",
+            .bound = 1e-12,
+            .points = {{"k = 1", 1, 0}, {"k = 10", 10, 2.2e-16}, {"k = 100", 100, 7e-16}, {"k = 10000", 1e4, 3e-15}}};
+}
+
 ClaimResult mean_claim(std::string id, std::string statement, double bias, double delta, Outcome outcome) {
     const Interval around{bias - delta / 2, bias + delta / 2};
     return {.id = std::move(id),
@@ -150,7 +158,7 @@ std::vector<ClaimResult> reweighting_claims() {
     stable.kind = Kind::bounded;
     stable.verdict.resolution = 8;
     stable.verdict.deviation = {0, 4.9};
-    stable.verdict.stability = {g_over_its_corner_cases()};
+    stable.verdict.stability = {g_over_its_corner_cases(), telescoping_weights()};
     claims.push_back(stable);
     return claims;
 }

@@ -82,6 +82,20 @@ std::string list_of(std::string_view heading, const std::vector<std::string>& id
     return text;
 }
 
+std::string text_of(const FieldValue& field) {
+    struct {
+        std::string operator()(double x) const { return readable(x); }
+        std::string operator()(std::uint64_t x) const { return std::to_string(x); }
+        std::string operator()(const std::string& x) const { return x; }
+        std::string operator()(const std::vector<double>& list) const {
+            std::string text;
+            for (const double x : list) text += (text.empty() ? "" : ", ") + readable(x);
+            return text;
+        }
+    } const write;
+    return std::visit(write, field);
+}
+
 }  // namespace
 
 std::string verdict_table(const Results& results, const TableStyle& style) {
@@ -136,6 +150,23 @@ std::string runs_table(std::span<const StoredRun> runs, const TableStyle& style)
                   {"mutants", Align::right},
                   {"patterns"}},
                  rows, columns(style));
+}
+
+std::string list_table(std::span<const ListRow> rows, const TableStyle& style) {
+    if (rows.empty()) return "";
+    std::vector<Column> headings;
+    for (const auto& [name, value] : rows.front())
+        headings.push_back({name, std::holds_alternative<std::string>(value) ? Align::left : Align::right});
+    std::vector<std::vector<std::string>> cells;
+    for (const ListRow& row : rows) {
+        std::vector<std::string>& line = cells.emplace_back();
+        for (std::size_t c = 0; c < headings.size(); ++c) {
+            const std::string cell = c < row.size() ? text_of(row[c].second) : "";
+            const bool shorten = c > 0 && c + 1 < headings.size();
+            line.push_back(shorten ? shortened(cell, 40) : cell);
+        }
+    }
+    return table(headings, cells, columns(style));
 }
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "reports/differences.h"
+#include "reports/json.h"
 #include "reports/results.h"
 #include "reports/store.h"
 
@@ -26,5 +27,9 @@ std::string differences_table(const Differences& differences, const TableStyle& 
 
 /// The runs of a store: number, when, size, seed, outcomes.
 std::string runs_table(std::span<const StoredRun> runs, const TableStyle& style = {});
+
+/// A list as `plumb list` prints it: the fields of the first row are the headings, later columns of more than 40
+/// characters are shortened.
+std::string list_table(std::span<const ListRow> rows, const TableStyle& style = {});
 
 }  // namespace plumb

@@ -46,5 +46,21 @@ TEST(RunsTable, HasOneLineARun) {
     EXPECT_THAT(runs_table(runs), AllOf(HasSubstr("2025-01-31T23:59:59Z"), HasSubstr("3 of 4")));
 }
 
+TEST(ListTable, TakesItsHeadingsFromTheFirstRow) {
+    const std::vector<ListRow> rows = {{{"id", std::string("exp")},
+                                        {"dimension", std::uint64_t{1}},
+                                        {"variance", 0.242},
+                                        {"formula", std::string("e^x")}},
+                                       {{"id", std::string("a-longer-id")},
+                                        {"dimension", std::uint64_t{2}},
+                                        {"variance", 10.5},
+                                        {"formula", std::string("f")}}};
+    EXPECT_EQ(list_table(rows),
+              "id           dimension  variance  formula\n"
+              "exp                  1     0.242  e^x\n"
+              "a-longer-id          2      10.5  f\n");
+    EXPECT_EQ(list_table({}), "");
+}
+
 }  // namespace
 }  // namespace plumb

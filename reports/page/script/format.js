@@ -39,8 +39,8 @@ function count(value) {
 function seconds(value) {
   const x = num(value);
   if (!Number.isFinite(x)) return DASH;
-  if (x >= 0.01 || x === 0) return `${x.toFixed(x < 10 ? 2 : 1)}${THIN}s`;
-  return x >= 1e-5 ? `${readable(x * 1e3, 2)}${THIN}ms` : `${readable(x * 1e6, 2)}${THIN}µs`;
+  if (x >= 0.1 || x === 0) return `${x.toFixed(x < 10 ? 2 : 1)}${THIN}s`;
+  return x >= 1e-5 ? `${readable(x * 1e3, 3)}${THIN}ms` : `${readable(x * 1e6, 3)}${THIN}µs`;
 }
 
 /** An interval as [low, high]; one-sided and empty of information in words. */

@@ -12,51 +12,83 @@ function stabilityPoints(record) {
   return { points: points.map((p) => ({ ...p, at: spread ? p.x : p.rank })), label: spread ? record.axis : "case" };
 }
 
-function drawStability(record, width) {
+/** Linear from 0, or logarithmic when errors and bound lie so far apart that one of them would vanish. */
+function errorAxis(errors, bound, unit) {
+  const label = `relative error (${unit})`;
+  const worst = d3.max(errors) ?? 0;
+  const positive = [bound, ...errors].filter((x) => x > 0);
+  if (worst === 0 || (worst / bound < 20 && bound / worst < 20))
+    return { floor: 0, axis: { label, domain: [0, 1.15 * Math.max(bound, worst)], grid: true, ticks: 5 } };
+  const domain = [d3.min(positive) / 3, 3 * d3.max(positive)];
+  return { floor: domain[0], axis: logAxis(label, 300, domain) };
+}
+
+function placeAxis(record, width) {
   const { points, label } = stabilityPoints(record);
+  const places = points.map((p) => p.at);
+  const [low, high] = d3.extent(places);
+  if (low > 0 && high / low > 1e3) return logAxis(label, width, logDomain(places));
+  const ticks = d3.ticks(low, high, Math.max(3, Math.floor(width / 110)));
+  return label === "case"
+    ? { label, grid: true, inset: 8, ticks: ticks.filter(Number.isInteger), tickFormat: String }
+    : { label, grid: true, inset: 8, ticks };
+}
+
+function stabilityNote(lost, exact) {
+  const notes = [];
+  if (lost) notes.push(`${plural(lost, "case")} with an infinite or undefined error, marked △ at the top.`);
+  if (exact) notes.push(`${plural(exact, "case")} without any error, marked ▽ at the foot of the logarithmic axis.`);
+  return notes.join(" ");
+}
+
+function drawStability(record, width) {
+  const { points } = stabilityPoints(record);
   const bound = num(record.bound);
-  const [low, high] = d3.extent(points, (p) => p.at);
-  const wide = low > 0 && high / low > 1e3;
   const finite = points.filter((p) => Number.isFinite(p.error));
+  const { floor, axis } = errorAxis(
+    finite.map((p) => p.error),
+    bound,
+    record.unit,
+  );
   const lost = points.filter((p) => !Number.isFinite(p.error));
-  const top = 1.15 * Math.max(bound, d3.max(finite, (p) => p.error) ?? 0, Number.MIN_VALUE);
+  const drawn = finite.filter((p) => floor === 0 || p.error > 0);
+  const exact = finite.filter((p) => floor > 0 && p.error === 0);
   const colour = (p) => (p.error <= bound ? "var(--series-0)" : "var(--refuted)");
-  const tip = (p) => `${p.name}\n${readable(p.error)} ${record.unit}`;
+  const at = (y) => ({ x: "at", y });
   return {
     height: 300,
     marginLeft: 52,
     marginBottom: 42,
-    marginRight: 64,
+    marginRight: 16,
     marginTop: 28,
-    x: wide
-      ? logAxis(label, width, logDomain([low, high]))
-      : { label, grid: true, inset: 8, ticks: Math.max(3, Math.floor(width / 110)) },
-    y: { label: `relative error (${record.unit})`, domain: [0, top], grid: true, ticks: 5 },
+    x: placeAxis(record, width),
+    y: axis,
     symbol: { type: "identity" },
     marks: [
-      Plot.ruleY([0], { stroke: "var(--rule)" }),
+      Plot.ruleY([axis.domain[0]], { stroke: "var(--rule)" }),
       Plot.ruleY([bound], { stroke: "var(--refuted)", strokeDasharray: "6 4", strokeWidth: 1.5 }),
       Plot.text([bound], {
         y: (b) => b,
         frameAnchor: "right",
         text: () => `bound ${readable(bound)}`,
-        dx: 60,
+        dx: -4,
+        dy: -8,
         fill: "var(--refuted)",
         textAnchor: "end",
       }),
-      Plot.dot(finite, {
-        x: "at",
-        y: "error",
+      Plot.dot(drawn, {
+        ...at("error"),
         stroke: colour,
         fill: colour,
         fillOpacity: 0.25,
         symbol: (p) => (p.error <= bound ? "circle" : "times"),
         r: 4,
       }),
-      Plot.text(lost, { x: "at", y: () => top, text: () => "△", fill: "var(--refuted)" }),
-      Plot.tip(finite, Plot.pointer({ x: "at", y: "error", title: tip })),
+      Plot.text(lost, { ...at(() => axis.domain[1]), text: () => "△", fill: "var(--refuted)" }),
+      Plot.text(exact, { ...at(() => floor), text: () => "▽", fill: "var(--series-0)", dy: -6 }),
+      Plot.tip(drawn, Plot.pointer({ ...at("error"), title: (p) => `${p.name}\n${readable(p.error)} ${record.unit}` })),
     ],
-    note: lost.length ? `${plural(lost.length, "case")} with an infinite or undefined error, marked △ at the top.` : "",
+    note: stabilityNote(lost.length, exact.length),
   };
 }
 
