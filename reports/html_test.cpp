@@ -63,21 +63,33 @@ struct Browsed {
     }
 };
 
-/// Opens the page in a headless Chromium, in a frame of this width (a window is never narrower than 500 pixels), with
-/// page/test/try_everything.js at work; the page around the frame writes down what that reports.
+/// The page around the page under test, which stands in a frame (a window is never narrower than 500 pixels). It writes
+/// down what page/test/try_everything.js reports from there; until then the second frame, opened and not closed, keeps
+/// the browser from finishing.
+constexpr const char* frame_page = R"(<body>
+<iframe id="wait" hidden></iframe>
+<script>
+const wait = document.getElementById("wait").contentDocument;
+wait.open();
+onmessage = (event) => {{
+  Object.assign(document.body.dataset, event.data);
+  wait.close();
+}};
+</script>
+<iframe src="page.html" style="width: {}px; height: 900px; border: 0"></iframe>
+)";
+
+/// Opens the page in a headless Chromium with everything tried, at this width.
 Browsed browse(const std::string& page, int width, const std::string& options = "") {
     const TestFolder folder;
     const std::string script = read_file(PLUMB_PAGE_FOLDER "/test/try_everything.js");
     write_file(folder / "page.html", page + "<script>" + script + "</script>");
-    write_file(folder / "frame.html",
-               fmt::format("<script>onmessage = (e) => Object.assign(document.body.dataset, e.data)</script>"
-                           "<iframe src='page.html' style='width: {}px; height: 900px; border: 0'></iframe>",
-                           width));
+    write_file(folder / "frame.html", fmt::format(frame_page, width));
     const std::string command = fmt::format(
         "cd '{}' && timeout 120 '{}' --headless --hide-scrollbars --no-sandbox --disable-gpu --disable-quic "
         "--no-first-run "
         "--disable-background-networking --disable-component-update --disable-sync --user-data-dir=profile "
-        "--enable-logging=stderr --virtual-time-budget=30000 --window-size=1400,1000 {} --dump-dom "
+        "--enable-logging=stderr --window-size=1400,1000 {} --dump-dom "
         "\"file://$PWD/frame.html\" "
         ">dom 2>messages",
         folder.path().string(), PLUMB_CHROMIUM, options);

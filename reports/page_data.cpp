@@ -13,6 +13,10 @@ using Json = nlohmann::ordered_json;
 Json document(const Results& results) {
     Json json = Json::parse(to_json(results));
     json["run"]["seed"] = std::to_string(results.run.seed);
+    for (Json& mutant : json["mutants"]) {  // the page draws those of claims only
+        mutant.erase("series");
+        mutant.erase("stability");
+    }
     return json;
 }
 

@@ -21,7 +21,7 @@ function claimItem(claim, showSeries) {
     cell("number samples", count(claim.samples)),
     cell("number time", seconds(claim.seconds)),
   );
-  const item = h("details", { class: `claim ${claim.outcome}`, id: `claim-${slug(claim.id)}` }, summary);
+  const item = h("details", { class: `claim ${claim.outcome}`, id: `claim=${claim.id}` }, summary);
   item.addEventListener("toggle", () => item.append(evidence(claim, showSeries)), { once: true });
   return item;
 }

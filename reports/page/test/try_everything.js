@@ -5,7 +5,11 @@ addEventListener("error", (event) => {
 });
 
 const all = (selector) => [...document.querySelectorAll(selector)];
-const settled = () => new Promise((done) => setTimeout(done, 100));
+const frame = () => new Promise(requestAnimationFrame);
+/** Plots follow their frame's width, and are drawn in the frame after the one in which it is known. */
+const settled = async () => {
+  for (let i = 0; i < 3; ++i) await frame();
+};
 const change = (control, type) => control.dispatchEvent(new Event(type));
 
 function look() {
