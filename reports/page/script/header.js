@@ -7,7 +7,7 @@ function runFacts(run) {
     "dl",
     { class: "facts" },
     fact("started", run.started.replace("T", " ").replace("Z", " UTC")),
-    fact("size", run.size),
+    fact("size", claims.length ? run.size : ""),
     fact("seed", run.seed),
     fact("false-alarm budget α", run.alpha === null ? "" : readable(run.alpha)),
     fact("threads", String(run.threads)),
