@@ -29,13 +29,13 @@ struct Integrand {
     std::string id;       ///< e.g. "exp", "genz/oscillatory-1"
     std::string formula;  ///< as a person writes it
     std::function<double(const Point<D>&)> value;
-    std::string integral;  ///< over [0,1]^D
-    std::string variance;  ///< of f(U), U uniform; "inf" where infinite
-    Smoothness smoothness = Smoothness::analytic;           ///< inside the cube
-    Smoothness periodic_smoothness = Smoothness::jump;      ///< of the periodic extension (for torus methods)
-    Interval bounds{};                                      ///< of the values, where finite
-    std::string source;      ///< where the integrand comes from
-    std::string derivation;  ///< how integral and variance were derived, and how checked
+    std::string integral;                               ///< over [0,1]^D
+    std::string variance;                               ///< of f(U), U uniform; "inf" where infinite
+    Smoothness smoothness = Smoothness::analytic;       ///< inside the cube
+    Smoothness periodic_smoothness = Smoothness::jump;  ///< of the periodic extension (for torus methods)
+    Interval bounds{};                                  ///< of the values, where finite
+    std::string source;                                 ///< where the integrand comes from
+    std::string derivation;                             ///< how integral and variance were derived, and how checked
 
     double operator()(const Point<D>& x) const { return value(x); }
     [[nodiscard]] double integral_value() const { return std::stod(integral); }
