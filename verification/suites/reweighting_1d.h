@@ -1,0 +1,13 @@
+#pragma once
+
+#include "verification/claim.h"
+
+namespace plumb {
+
+// The parts of the 1D claims of geometric sample reweighting, by kind of evidence.
+void add_reweighting_1d_exact_claims(Catalogue& catalogue);
+void add_reweighting_1d_bounded_claims(Catalogue& catalogue);
+void add_reweighting_1d_mean_claims(Catalogue& catalogue);
+void add_reweighting_1d_rate_claims(Catalogue& catalogue);
+
+}  // namespace plumb
