@@ -8,6 +8,11 @@
 namespace plumb {
 namespace {
 
+void check(std::uint64_t n, double x) {
+    if (n == 0) throw Error("a cell weight for 0 samples; at least 1 is needed");
+    if (!(x >= 0 && x <= 1)) throw Error(fmt::format("a cell weight at x = {}; x must lie in [0, 1]", x));
+}
+
 // N/2 [x (1−F)^{N−1} + (1−x) F^{N−1}]: the parts of the cell beyond which the ball reaches over an end.
 double ends(double n, double x, double cdf) {
     return n / 2 * (x * std::pow(1 - cdf, n - 1) + (1 - x) * std::pow(cdf, n - 1));
@@ -40,8 +45,7 @@ double curvature_bound(double n, const Density1D& density) {
 }  // namespace
 
 BoundedValue cell_weight_by_quadrature(std::uint64_t n, double x, const Density1D& density, int panels) {
-    if (n == 0) throw Error("a cell weight for 0 samples; at least 1 is needed");
-    if (!(x >= 0 && x <= 1)) throw Error(fmt::format("a cell weight at x = {}; x must lie in [0, 1]", x));
+    check(n, x);
     if (panels < 1) throw Error(fmt::format("{} panels; at least 1 is needed", panels));
     const double count = static_cast<double>(n), cdf = density.cdf(x);
     const double integral = one_side(count, x, cdf, 0, density, panels) + one_side(count, x, cdf, 1, density, panels);
@@ -49,8 +53,7 @@ BoundedValue cell_weight_by_quadrature(std::uint64_t n, double x, const Density1
 }
 
 double piecewise_cell_weight(std::uint64_t n, double x, const PiecewiseConstant& density) {
-    if (n == 0) throw Error("a cell weight for 0 samples; at least 1 is needed");
-    if (!(x >= 0 && x <= 1)) throw Error(fmt::format("a cell weight at x = {}; x must lie in [0, 1]", x));
+    check(n, x);
     const double count = static_cast<double>(n), cdf = density.cdf(x);
     const auto nearer = [&](double z) { return 1 - std::abs(cdf - density.cdf(z)); };
     double integral = 0;  // times N: on a piece of density p, ∫ q^{N−1} dz = |q_1^N − q_0^N|/(N p)
@@ -84,6 +87,7 @@ CellWeightTable::CellWeightTable(std::uint64_t n, const Density1D& density, doub
 }
 
 double CellWeightTable::operator()(double x) const {
+    if (!(x >= 0 && x <= 1)) throw Error(fmt::format("a cell weight at x = {}; x must lie in [0, 1]", x));
     const double last = static_cast<double>(values_.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(x * last), values_.size() - 2);
     const double t = x * last - static_cast<double>(i);

@@ -17,7 +17,9 @@ void add_reweighting_1d_claims(Catalogue& catalogue) {
         "On the circle E|V| = 1/N wherever the sample lies, so the estimate is unbiased for every N. The printed "
         "integrand "
         "cannot be that of weights that sum to 1: its integral is not 1 (5/6 at N = 2) and it is not symmetric in x → "
-        "1−x.",
+        "1−x. "
+        "The powers of x, from the last sample's cell, cancel in it as they must; those of 1−x, from the first one's, "
+        "do not.",
         "reweighting/torus-cells-1d/exact"});
     catalogue.add(
         Erratum{"thesis, section 4.5.1",

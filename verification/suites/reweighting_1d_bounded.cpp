@@ -3,6 +3,7 @@
 #include "analytic/cell_weight.h"
 #include "analytic/cell_weight_density.h"
 #include "analytic/cell_weight_exact.h"
+#include "analytic/ordered_samples.h"
 #include "estimators/cells_1d.h"
 #include "estimators/reweighting_1d.h"
 #include "estimators/samples_1d.h"
@@ -70,8 +71,9 @@ Samples torus_weights_unshared(std::span<const double> samples) {
 }
 
 // A cell as the intersection of half-lines, one for each other sample (and each of its periodic copies): O(N²) and
-// without sorting. Samples at one place share.
-Samples cells_by_half_lines(std::span<const double> samples, bool periodic) {
+// without sorting. Samples at one place share; on the circle 1 is 0.
+Samples cells_by_half_lines(Samples samples, bool periodic) {
+    if (periodic) std::ranges::replace(samples, 1.0, 0.0);
     Samples lengths;
     for (const double x : samples) {
         double low = periodic ? x - 0.5 : 0, high = periodic ? x + 0.5 : 1;
@@ -123,6 +125,20 @@ Verdict within_8_ulp(const CellWeight& g) {
 double by_pow(std::uint64_t count, double x) {
     const double n = static_cast<double>(count);
     return ((n - n * x - x) * std::pow(x, n - 1) + (n * x + x - 1) * std::pow(1 - x, n - 1) + 2) / 2;
+}
+
+// The stratum of x by exact comparison, its polynomial by integration, evaluated in rationals.
+Verdict stratified_within_2_ulp(const CellWeight& g) {
+    std::vector<BoundedCase> cases;
+    for (const int n : {2, 3, 7, 49, 1000, 1'000'000'000})
+        for (const double x : hard_places(n)) {
+            const Rational exact(x), scaled = exact * n;
+            const int k = static_cast<int>(numerator(scaled) / denominator(scaled));
+            const double truth = stratified_cell_polynomial(n, k)(exact).convert_to<double>();
+            cases.push_back(
+                {fmt::format("N = {}, x = {:.17g}", n, x), ulp_error(g(static_cast<std::uint64_t>(n), x), truth), x});
+        }
+    return stable(cases, 2, "g_s(x)", "x");
 }
 
 Density1D uniform_density() {
@@ -206,6 +222,14 @@ void add_reweighting_1d_bounded_claims(Catalogue& catalogue) {
                    .check = [](const Run&) { return within_8_ulp(cell_weight); },
                    .mutants = {{"by-pow", "the formula as printed: the rounding of 1 − x is raised to the power N − 1",
                                 [](const Run&) { return within_8_ulp(by_pow); }}}});
+    catalogue.add(
+        {.id = "reweighting/g-stratified/stable",
+         .statement = "g_s in double is within 2 ulp of the exact rational, for N up to 10^9 and every place.",
+         .source = "ours, analytic/cell_weight.h; truth in rationals",
+         .kind = Kind::bounded,
+         .check = [](const Run&) { return stratified_within_2_ulp(stratified_cell_weight); },
+         .mutants = {{"g-of-iid-samples", "g_N of i.i.d. samples",
+                      [](const Run&) { return stratified_within_2_ulp(cell_weight); }}}});
     catalogue.add({.id = "reweighting/g-density/quadrature",
                    .statement = "General g by quadrature is within its derived bound of the closed forms for uniform "
                                 "and stepped densities.",

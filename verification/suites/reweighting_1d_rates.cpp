@@ -67,6 +67,8 @@ struct Range {
 };
 const Range short_range{};
 const Range long_range{{64, 128, 256, 512, 1024}, 3000};
+// Mutants are off by a whole power of N and more: that shows early.
+const Range mutant_range{{16, 32, 64, 128, 256}, 1000};
 
 Verdict slope_is(double exponent, double margin, const Subject& subject, const Problem& problem, const Range& range,
                  const Run& run, const std::string& name) {
@@ -95,19 +97,19 @@ struct RateMutant {
 
 void add(Catalogue& catalogue, RateClaim claim, const std::vector<RateMutant>& mutants) {
     if (!claim.subject) claim.subject = shipped(claim.estimator);
-    const auto check = [claim](const Subject& subject, const std::string& name) {
+    const auto check = [claim](const Subject& subject, const Range& range, const std::string& name) {
         return [=](const Run& run) {
-            return slope_is(claim.exponent, claim.margin, subject, claim.problem, claim.range, run, name);
+            return slope_is(claim.exponent, claim.margin, subject, claim.problem, range, run, name);
         };
     };
     Claim added{.id = claim.id,
                 .statement = claim.statement,
                 .source = claim.source,
                 .kind = Kind::rate,
-                .check = check(claim.subject, claim.estimator),
+                .check = check(claim.subject, claim.range, claim.estimator),
                 .sizes = claim.sizes};
     for (const RateMutant& mutant : mutants)
-        added.mutants.push_back({mutant.id, mutant.defect, check(mutant.subject, mutant.id)});
+        added.mutants.push_back({mutant.id, mutant.defect, check(mutant.subject, mutant_range, mutant.id)});
     catalogue.add(std::move(added));
 }
 
