@@ -40,8 +40,9 @@ double stratified_cell_weight(std::uint64_t n, double x) {
     if (n == 1) return 1;
     const double count = static_cast<double>(n);
     // The first sample's cell reaches from 0 half-way to its neighbour, whose mean position is 3/(2N).
-    if (count * x < 1) return (count * x + 1.5) / 2;
-    if (count * (1 - x) <= 1) return (count * (1 - x) + 1.5) / 2;
+    // g_s jumps at the strata's edges: fma decides N x < 1 and N x ≥ N − 1 without rounding.
+    if (std::fma(count, x, -1) < 0) return (count * x + 1.5) / 2;
+    if (std::fma(count, x, 1 - count) >= 0) return (count * (1 - x) + 1.5) / 2;
     return 1;
 }
 

@@ -60,6 +60,9 @@ TEST(StratifiedCellWeight, ReachesFromThreeToFiveQuarters) {
     EXPECT_EQ(stratified_cell_weight(4, 0.875), 1);
     EXPECT_EQ(stratified_cell_weight(4, 1), 0.75);
     EXPECT_EQ(stratified_cell_weight(2, 0.5), 1.25);
+    // The double 1/3 is less than the third: still in the first stratum, though 3 x rounds to 1.
+    EXPECT_EQ(stratified_cell_weight(3, 1.0 / 3), 1.25);
+    EXPECT_EQ(stratified_cell_weight(3, std::nextafter(1.0 / 3, 1)), 1);
 }
 
 TEST(CellWeight, NamesBadInput) {
