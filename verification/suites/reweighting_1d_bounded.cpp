@@ -31,7 +31,7 @@ Samples near_zero_point_three(std::uint64_t n, double width, RandomStream& rando
 std::vector<NamedSet> hard_sets(const Run& run) {
     RandomStream random = run.random(0);
     constexpr double tiny = 0x1p-1074, last = 1 - 0x1p-53;
-    std::vector<NamedSet> sets{
+    return {
         {"one sample", {0.3}},
         {"one sample at 0", {0}},
         {"one sample at 1", {1}},
@@ -45,9 +45,6 @@ std::vector<NamedSet> hard_sets(const Run& run) {
         {"10^4 samples within 1e-12", near_zero_point_three(10'000, 1e-12, random)},
         {"1000 jittered samples", jittered_samples_1d(1000, random)},
     };
-    if (run.size() == Size::full)
-        sets.push_back({"10^7 independent samples", independent_samples_1d(10'000'000, random)});
-    return sets;
 }
 
 double off_one(const Samples& weights) {

@@ -4,6 +4,7 @@ namespace plumb {
 
 Catalogue shipped_catalogue() {
     Catalogue catalogue;
+    add_integrand_claims(catalogue);
     add_reweighting_1d_claims(catalogue);
     return catalogue;
 }

@@ -8,6 +8,7 @@ namespace plumb {
 Catalogue shipped_catalogue();
 
 // One function a group, one group a file of this folder.
+void add_integrand_claims(Catalogue& catalogue);
 void add_reweighting_1d_claims(Catalogue& catalogue);
 
 }  // namespace plumb
