@@ -8,6 +8,7 @@
 #include "estimators/control_variate_line.h"
 #include "estimators/piecewise_strata.h"
 #include "estimators/reweighting_estimators.h"
+#include "estimators/reweighting_slopes_1d.h"
 #include "estimators/samples_1d.h"
 #include "estimators/tent.h"
 #include "estimators/warp_1d.h"
@@ -103,6 +104,27 @@ TEST(ReweightingEstimators, IntegrateAConstantOrThereabouts) {
         EXPECT_NEAR(estimate.value, 1, 0.02) << estimator.id;
         EXPECT_NEAR(static_cast<double>(estimate.evaluations), 4096, 2) << estimator.id;
     }
+}
+
+TEST(ReweightingSlopes, FollowSmoothnessAndEndValues) {
+    const Interval two{-2.25, -1.75}, four{-4.25, -3.75};
+    Integrand<1> f;
+    f.value = [](const Point<1>& x) { return x[0]; };
+    f.integral = "0.5";
+    f.variance = "0.0833";
+    f.smoothness = Smoothness::kink;
+    f.periodic_smoothness = Smoothness::jump;
+    EXPECT_EQ(torus_slope_1d(f), two);
+    EXPECT_EQ(tent_slope_1d(f), four);
+    EXPECT_EQ(clipped_slope_1d(f), four);
+    EXPECT_EQ(divided_slope_1d(f), two);
+    f.value = [](const Point<1>& x) { return std::abs(tent(x[0])); };
+    EXPECT_EQ(divided_slope_1d(f), four);
+    EXPECT_EQ(stepped_density_slope_1d(f), two);
+    f.variance = "0";
+    EXPECT_EQ(torus_slope_1d(f), std::nullopt);
+    f.smoothness = Smoothness::singular;
+    EXPECT_EQ(divided_slope_1d(f), std::nullopt);
 }
 
 }  // namespace

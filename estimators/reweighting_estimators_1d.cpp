@@ -48,11 +48,6 @@ std::optional<Interval> slope_of_independent_batches(const Integrand<1>& f) {
     return f.smoothness == Smoothness::singular ? std::optional<Interval>{} : Interval{-1.1, -0.9};
 }
 
-// f/p of a density that is not 0 at the ends and not periodic.
-std::optional<Interval> warped_tent_slope(const Integrand<1>& f) {
-    return tent_slope_1d(f);
-}
-
 Estimate run_trapezoid(const Function<1>& f, std::uint64_t n, RandomStream& random) {
     std::vector<double> nodes = independent_samples_1d(n, random);
     const std::vector<double> weights = trapezoid_weights_1d(nodes);
@@ -116,11 +111,11 @@ std::vector<Estimator<1>> reweighting_estimators_1d() {
         {"warp-reweighted", "Reweighting in the primary sample of the density p(x) = 1/2 + x.",
          "ours, estimators/warp_1d.h", true, through_ramp(reweighted), divided_slope_1d},
         {"warp-torus-tent", "Torus and tent in the primary sample of the density p(x) = 1/2 + x.",
-         "ours, estimators/warp_1d.h", true, through_ramp(folded(torus)), warped_tent_slope},
+         "ours, estimators/warp_1d.h", true, through_ramp(folded(torus)), tent_slope_1d},
         {"density-reweighted", "Samples of a density of four steps, Voronoi cells over g p.",
-         "ours, analytic/cell_weight_density.h", true, run_density_reweighted, divided_slope_1d},
+         "ours, analytic/cell_weight_density.h", true, run_density_reweighted, stepped_density_slope_1d},
         {"piecewise-strata", "Samples of a density of four steps, fixed counts a step, each step reweighted by itself.",
-         "thesis, section 4.4.4", true, run_piecewise_strata, divided_slope_1d},
+         "thesis, section 4.4.4", true, run_piecewise_strata, stepped_density_slope_1d},
         {"reweighted-batches-16", "The mean of independent reweighted batches of about 16 samples.",
          "thesis, section 4.5.1", true, run_batches_of_16, slope_of_independent_batches},
     };
