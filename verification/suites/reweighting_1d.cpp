@@ -8,6 +8,7 @@ void add_reweighting_1d_claims(Catalogue& catalogue) {
     add_reweighting_1d_exact_claims(catalogue);
     add_reweighting_1d_bounded_claims(catalogue);
     add_reweighting_1d_mean_claims(catalogue);
+    add_reweighting_1d_density_claims(catalogue);
     add_reweighting_1d_rate_claims(catalogue);
 
     catalogue.add(Erratum{
