@@ -52,10 +52,10 @@ BoundedValue cell_weight_by_quadrature(std::uint64_t n, double x, const Density1
     return {ends(count, x, cdf) + count / 2 * integral, quadrature_bound(count, density, panels)};
 }
 
-double piecewise_cell_weight(std::uint64_t n, double x, const PiecewiseConstant& density) {
+double piecewise_cell_weight(std::uint64_t n, double x, const StepDensity& density) {
     check(n, x);
-    const double count = static_cast<double>(n), cdf = density.cdf(x);
-    const auto nearer = [&](double z) { return 1 - std::abs(cdf - density.cdf(z)); };
+    const double count = static_cast<double>(n), cdf = density.invert(x);
+    const auto nearer = [&](double z) { return 1 - std::abs(cdf - density.invert(z)); };
     double integral = 0;  // times N: on a piece of density p, ∫ q^{N−1} dz = |q_1^N − q_0^N|/(N p)
     for (std::size_t k = 0; k < density.pieces(); ++k) {
         const double from = density.edges()[k], to = density.edges()[k + 1];

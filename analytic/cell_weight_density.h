@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "analytic/piecewise_constant.h"
+#include "analytic/step_density.h"
 
 namespace plumb {
 
@@ -32,7 +32,7 @@ struct BoundedValue {
 BoundedValue cell_weight_by_quadrature(std::uint64_t n, double x, const Density1D& density, int panels);
 
 /// g(x) in closed form for a piecewise-constant density.
-double piecewise_cell_weight(std::uint64_t n, double x, const PiecewiseConstant& density);
+double piecewise_cell_weight(std::uint64_t n, double x, const StepDensity& density);
 
 /// g tabulated by quadrature, linear in between; |table(x) − g(x)| ≤ error_bound() ≤ tolerance everywhere.
 /// Throws Error when the tolerance asks for more than 2^26 values of the distribution function: the inverse-CDF warp

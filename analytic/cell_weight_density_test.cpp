@@ -16,14 +16,13 @@ TEST(CellWeightOfADensity, UniformReproducesTheClosedForm) {
         for (const double x : {0.0, 0.01, 0.3, 0.5, 0.9, 1.0}) {
             const BoundedValue g = cell_weight_by_quadrature(n, x, uniform, 4096);
             EXPECT_LE(std::abs(g.value - cell_weight(n, x)), g.error + 1e-12) << n << " " << x;
-            EXPECT_NEAR(piecewise_cell_weight(n, x, PiecewiseConstant::equal_pieces({1, 1, 1})), cell_weight(n, x),
-                        1e-12);
+            EXPECT_NEAR(piecewise_cell_weight(n, x, StepDensity::equal_pieces({1, 1, 1})), cell_weight(n, x), 1e-12);
         }
 }
 
 TEST(CellWeightOfADensity, QuadratureAgreesWithThePiecewiseClosedForm) {
-    const PiecewiseConstant steps({0, 0.2, 0.7, 1}, {0.5, 0.2, 0.3});  // densities 2.5, 0.4, 1
-    const Density1D density{[&](double x) { return steps.pdf(x); }, [&](double x) { return steps.cdf(x); }, 2.5, 2.7,
+    const StepDensity steps({0, 0.2, 0.7, 1}, {0.5, 0.2, 0.3});  // densities 2.5, 0.4, 1
+    const Density1D density{[&](double x) { return steps.pdf(x); }, [&](double x) { return steps.invert(x); }, 2.5, 2.7,
                             std::numeric_limits<double>::infinity()};
     for (const std::uint64_t n : {2ull, 8ull})
         for (const double x : {0.0, 0.1, 0.2, 0.35, 0.7, 0.99, 1.0}) {

@@ -37,7 +37,7 @@ struct Integrand {
     Smoothness periodic_smoothness = Smoothness::jump;  ///< of the periodic extension (for torus methods)
     Interval bounds{};                                  ///< of the values, where finite
     std::string source;                                 ///< where the integrand comes from
-    std::string derivation;                             ///< how ∫ f and ∫ f² were derived
+    std::string derivation;                             ///< how ∫ f and ∫ f² were derived, and how checked
 
     double operator()(const Point<D>& x) const { return value(x); }
     [[nodiscard]] double integral_value() const { return std::stod(integral); }

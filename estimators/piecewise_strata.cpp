@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-std::vector<std::uint64_t> stratum_counts(const PiecewiseConstant& density, std::uint64_t n) {
+std::vector<std::uint64_t> stratum_counts(const StepDensity& density, std::uint64_t n) {
     const std::size_t pieces = density.pieces();
     std::vector<std::uint64_t> counts(pieces);
     std::vector<double> remainders(pieces);
@@ -27,7 +27,7 @@ std::vector<std::uint64_t> stratum_counts(const PiecewiseConstant& density, std:
     return counts;
 }
 
-Estimate piecewise_strata_estimate(const Function<1>& f, const PiecewiseConstant& density,
+Estimate piecewise_strata_estimate(const Function<1>& f, const StepDensity& density,
                                    std::span<const std::uint64_t> counts, RandomStream& random) {
     if (counts.size() != density.pieces())
         throw Error(fmt::format("{} sample counts for {} pieces; one each is needed", counts.size(), density.pieces()));

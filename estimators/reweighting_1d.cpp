@@ -29,7 +29,7 @@ std::vector<double> density_reweighted_weights_1d(std::span<const double> sample
     return cells_over(samples, [&](double x) { return g(x) * pdf(x); });
 }
 
-std::vector<double> density_reweighted_weights_1d(std::span<const double> samples, const PiecewiseConstant& density) {
+std::vector<double> density_reweighted_weights_1d(std::span<const double> samples, const StepDensity& density) {
     return cells_over(samples,
                       [&](double x) { return piecewise_cell_weight(samples.size(), x, density) * density.pdf(x); });
 }

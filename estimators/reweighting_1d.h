@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analytic/cell_weight_density.h"
-#include "analytic/piecewise_constant.h"
+#include "analytic/step_density.h"
 
 namespace plumb {
 
@@ -27,7 +27,7 @@ std::vector<double> density_reweighted_weights_1d(std::span<const double> sample
                                                   const std::function<double(double)>& pdf);
 
 /// The same with the closed form of g for a piecewise-constant p.
-std::vector<double> density_reweighted_weights_1d(std::span<const double> samples, const PiecewiseConstant& density);
+std::vector<double> density_reweighted_weights_1d(std::span<const double> samples, const StepDensity& density);
 
 /// The trapezoidal rule on the samples and both ends [Yakowitz et al. 1978]: weights of the samples, then of 0 and
 /// of 1.

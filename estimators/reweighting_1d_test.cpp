@@ -6,12 +6,13 @@
 #include "estimators/batches.h"
 #include "estimators/cells_1d.h"
 #include "estimators/control_variate_line.h"
+#include "estimators/density.h"
 #include "estimators/piecewise_strata.h"
 #include "estimators/reweighting_estimators.h"
 #include "estimators/reweighting_slopes_1d.h"
 #include "estimators/samples_1d.h"
 #include "estimators/tent.h"
-#include "estimators/warp_1d.h"
+#include "estimators/warp.h"
 
 namespace plumb {
 namespace {
@@ -56,21 +57,16 @@ TEST(ControlVariateLine, IsExactForLinesAndCountsItsEvaluations) {
     EXPECT_THROW((void)endpoint_line([](const Point<1>& x) { return 1 / x[0]; }), Error);
 }
 
-TEST(Warp, LinearDensity) {
-    for (const double a : {0.5, 1.0, 1.9}) {
-        const Warp1D warp = linear_warp(a);
-        for (const double u : {0.0, 0.1, 0.5, 1.0}) {
-            const double x = warp.inverse_cdf(u);
-            EXPECT_NEAR(a * x + (1 - a) * x * x, u, 1e-15);
-        }
-        // f = p is estimated without error
-        EXPECT_DOUBLE_EQ(warped([&](const Point<1>& x) { return warp.pdf(x[0]); }, warp)({0.37}), 1);
-    }
-    EXPECT_THROW((void)linear_warp(2), Error);
+TEST(Warp, WhatIsProportionalToTheDensityBecomesConstant) {
+    const LinearDensity density(0.5, 1.5);
+    const auto f = warped([&](const Point<1>& x) { return 3 * density.pdf(x[0]); }, density);
+    for (const double u : {0.0, 0.37, 1.0}) EXPECT_DOUBLE_EQ(f({u}), 3);
+    const auto one = warped([](const Point<1>&) { return 1.0; }, density);
+    EXPECT_DOUBLE_EQ(one({0.0}), 2);  // p(0) = 1/2
 }
 
 TEST(PiecewiseStrata, CountsFollowTheMasses) {
-    const auto steps = PiecewiseConstant::equal_pieces({1, 2, 3, 4});
+    const auto steps = StepDensity::equal_pieces({1, 2, 3, 4});
     EXPECT_THAT(stratum_counts(steps, 10), ElementsAre(1, 2, 3, 4));
     EXPECT_THAT(stratum_counts(steps, 20), ElementsAre(2, 4, 6, 8));
     EXPECT_THAT(stratum_counts(steps, 2), ElementsAre(1, 1, 1, 1));

@@ -1,13 +1,14 @@
 #include "estimators/batches.h"
 #include "estimators/cells_1d.h"
 #include "estimators/control_variate_line.h"
+#include "estimators/density.h"
 #include "estimators/piecewise_strata.h"
 #include "estimators/reweighting_1d.h"
 #include "estimators/reweighting_estimators.h"
 #include "estimators/reweighting_slopes_1d.h"
 #include "estimators/samples_1d.h"
 #include "estimators/tent.h"
-#include "estimators/warp_1d.h"
+#include "estimators/warp.h"
 
 namespace plumb {
 namespace {
@@ -36,12 +37,13 @@ RunOn folded(RunOn run) {
 }
 
 RunOn through_ramp(RunOn run) {
-    return [run = std::move(run), warp = linear_warp(0.5)](
-               const Function<1>& f, std::uint64_t n, RandomStream& random) { return run(warped(f, warp), n, random); };
+    return
+        [run = std::move(run), density = LinearDensity(0.5, 1.5)](
+            const Function<1>& f, std::uint64_t n, RandomStream& random) { return run(warped(f, density), n, random); };
 }
 
-PiecewiseConstant four_steps() {
-    return PiecewiseConstant::equal_pieces({1, 2, 3, 4});
+StepDensity four_steps() {
+    return StepDensity::equal_pieces({1, 2, 3, 4});
 }
 
 std::optional<Interval> slope_of_independent_batches(const Integrand<1>& f) {
@@ -60,14 +62,14 @@ Estimate run_control_variate(const Function<1>& f, std::uint64_t n, RandomStream
 }
 
 Estimate run_density_reweighted(const Function<1>& f, std::uint64_t n, RandomStream& random) {
-    static const PiecewiseConstant density = four_steps();
+    static const StepDensity density = four_steps();
     std::vector<double> samples = independent_samples_1d(n, random);
-    for (double& x : samples) x = density.inverse_cdf(x);
+    for (double& x : samples) x = density.sample(x);
     return weighted_sum(f, samples, density_reweighted_weights_1d(samples, density));
 }
 
 Estimate run_piecewise_strata(const Function<1>& f, std::uint64_t n, RandomStream& random) {
-    static const PiecewiseConstant density = four_steps();
+    static const StepDensity density = four_steps();
     return piecewise_strata_estimate(f, density, stratum_counts(density, n), random);
 }
 
@@ -109,9 +111,9 @@ std::vector<Estimator<1>> reweighting_estimators_1d() {
         {"yakowitz-nearest", "The nearest-neighbour rule on independent samples; in one dimension the same as voronoi.",
          "Yakowitz et al. 1978", false, voronoi, clipped_slope_1d},
         {"warp-reweighted", "Reweighting in the primary sample of the density p(x) = 1/2 + x.",
-         "ours, estimators/warp_1d.h", true, through_ramp(reweighted), divided_slope_1d},
+         "ours, estimators/warp.h", true, through_ramp(reweighted), divided_slope_1d},
         {"warp-torus-tent", "Torus and tent in the primary sample of the density p(x) = 1/2 + x.",
-         "ours, estimators/warp_1d.h", true, through_ramp(folded(torus)), tent_slope_1d},
+         "ours, estimators/warp.h", true, through_ramp(folded(torus)), tent_slope_1d},
         {"density-reweighted", "Samples of a density of four steps, Voronoi cells over g p.",
          "ours, analytic/cell_weight_density.h", true, run_density_reweighted, stepped_density_slope_1d},
         {"piecewise-strata", "Samples of a density of four steps, fixed counts a step, each step reweighted by itself.",

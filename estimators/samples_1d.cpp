@@ -1,5 +1,7 @@
 #include "estimators/samples_1d.h"
 
+#include "estimators/strata.h"
+
 namespace plumb {
 
 std::vector<double> independent_samples_1d(std::uint64_t n, RandomStream& random) {
@@ -10,8 +12,7 @@ std::vector<double> independent_samples_1d(std::uint64_t n, RandomStream& random
 
 std::vector<double> jittered_samples_1d(std::uint64_t n, RandomStream& random) {
     std::vector<double> samples(n);
-    for (std::uint64_t i = 0; i < n; ++i)
-        samples[i] = std::min((static_cast<double>(i) + random.uniform()) / static_cast<double>(n), 1 - 0x1p-53);
+    for (std::uint64_t i = 0; i < n; ++i) samples[i] = in_stratum(i, n, random.uniform());
     return samples;
 }
 

@@ -42,7 +42,7 @@ struct Keister : Formula1D {
     }
     template <class R>
     R value(const std::array<R, 1>& u) const {
-        if (!(u[0] > 0 && u[0] < 1)) return 0;
+        if (u[0] <= 0 || u[0] >= 1) return 0;
         return sqrt(pi<R>()) * cos(keister_coordinate(u[0]));
     }
     template <class R>
@@ -74,7 +74,7 @@ struct Keister2D : Formula2D {
     template <class R>
     R value(const std::array<R, 2>& u) const {
         for (const R& axis : u)
-            if (!(axis > 0 && axis < 1)) return 0;
+            if (axis <= 0 || axis >= 1) return 0;
         return pi<R>() * cos(sqrt(R(squared(keister_coordinate(u[0])) + squared(keister_coordinate(u[1])))));
     }
     template <class R>

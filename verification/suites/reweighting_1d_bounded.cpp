@@ -151,9 +151,9 @@ using Quadrature = std::function<BoundedValue(std::uint64_t n, double x, const D
 
 // Errors in units of the derived bound (rounding added), for the uniform density and for one of three steps.
 Verdict quadrature_within_its_bound(const Quadrature& quadrature) {
-    const PiecewiseConstant steps({0, 0.2, 0.7, 1}, {0.5, 0.2, 0.3});
+    const StepDensity steps({0, 0.2, 0.7, 1}, {0.5, 0.2, 0.3});
     const Density1D step_density{.pdf = [&](double x) { return steps.pdf(x); },
-                                 .cdf = [&](double x) { return steps.cdf(x); },
+                                 .cdf = [&](double x) { return steps.invert(x); },
                                  .largest = 2.5,
                                  .variation = 2.1 + 0.6};
     std::vector<BoundedCase> cases;

@@ -4,11 +4,12 @@
 #include "analytic/cell_weight_density.h"
 #include "estimators/batches.h"
 #include "estimators/cells_1d.h"
+#include "estimators/density.h"
 #include "estimators/piecewise_strata.h"
 #include "estimators/reweighting_1d.h"
 #include "estimators/samples_1d.h"
 #include "estimators/tent.h"
-#include "estimators/warp_1d.h"
+#include "estimators/warp.h"
 #include "verification/mean.h"
 #include "verification/suites/reweighting_1d.h"
 #include "verification/suites/reweighting_1d_exponential.h"
@@ -21,27 +22,33 @@ using namespace reweighting_1d;
 const Value voronoi = weighted(independent_samples_1d, voronoi_weights_1d);
 const Value reweighted = weighted(independent_samples_1d, reweighted_weights_1d);
 
-const Warp1D ramp = linear_warp(0.5);  // p(x) = 1/2 + x
+const LinearDensity ramp(0.5, 1.5);  // p(x) = 1/2 + x
 const Density1D ramp_density{.pdf = [](double x) { return 0.5 + x; },
                              .cdf = [](double x) { return x * (1 + x) / 2; },
                              .largest = 1.5,
                              .variation = 1,
                              .lipschitz = 1};
 
+// p divided by its left Riemann sum of 100 panels, which is 0.995.
+struct RampOffByItsNormalisation {
+    static double sample(double u) { return ramp.sample(u); }
+    static double pdf(double x) { return ramp.pdf(x) / 0.995; }
+};
+
 Samples ramp_samples(std::uint64_t n, RandomStream& random) {
     Samples samples = independent_samples_1d(n, random);
-    for (double& x : samples) x = ramp.inverse_cdf(x);
+    for (double& x : samples) x = ramp.sample(x);
     return samples;
 }
 
-PiecewiseConstant four_steps() {
-    return PiecewiseConstant::equal_pieces({1, 2, 3, 4});
+StepDensity four_steps() {
+    return StepDensity::equal_pieces({1, 2, 3, 4});
 }
 
 Samples step_samples(std::uint64_t n, RandomStream& random) {
-    static const PiecewiseConstant density = four_steps();
+    static const StepDensity density = four_steps();
     Samples samples = independent_samples_1d(n, random);
-    for (double& x : samples) x = density.inverse_cdf(x);
+    for (double& x : samples) x = density.sample(x);
     return samples;
 }
 
@@ -60,7 +67,7 @@ double counts_drawn(std::uint64_t n, RandomStream& random) {
 
 Value ten_strata(Function<1> f) {
     return [f = std::move(f)](std::uint64_t n, RandomStream& random) {
-        const PiecewiseConstant pieces = PiecewiseConstant::equal_pieces(Samples(10, 1));
+        const StepDensity pieces = StepDensity::equal_pieces(Samples(10, 1));
         return piecewise_strata_estimate(f, pieces, stratum_counts(pieces, n), random).value;
     };
 }
@@ -88,23 +95,22 @@ void add_densities(Catalogue& catalogue) {
             return unbiased(weighted(independent_samples_1d, weigh, f), places, {0, 4.1}, run);
         };
     };
-    const Function<1> off_by_its_normalisation =
-        warped(exponential, {ramp.inverse_cdf, [](double x) { return (0.5 + x) / 0.995; }});
+    const Function<1> off_by_its_normalisation = warped(exponential, RampOffByItsNormalisation{});
     catalogue.add(
         {.id = "reweighting/warp-reweighted/unbiased",
          .statement = "Reweighting f(T(u))/p(T(u)) in u is unbiased, for the density p(x) = 1/2 + x.",
-         .source = "ours, estimators/warp_1d.h",
+         .source = "ours, estimators/warp.h",
          .kind = Kind::mean,
          .check = warp_check(warped(exponential, ramp), reweighted_weights_1d),
-         .mutants = {{"pdf-off-by-its-normalisation", "p normalised by a left Riemann sum of 100 panels, 0.995 for 1",
-                      warp_check(off_by_its_normalisation, reweighted_weights_1d)},
-                     {"no-pdf", "f(T(u)) without 1/p",
-                      warp_check([](const Point<1>& u) { return exponential({ramp.inverse_cdf(u[0])}); },
-                                 reweighted_weights_1d)}}});
+         .mutants = {
+             {"pdf-off-by-its-normalisation", "p normalised by a left Riemann sum of 100 panels, 0.995 for 1",
+              warp_check(off_by_its_normalisation, reweighted_weights_1d)},
+             {"no-pdf", "f(T(u)) without 1/p",
+              warp_check([](const Point<1>& u) { return exponential({ramp.sample(u[0])}); }, reweighted_weights_1d)}}});
     catalogue.add(
         {.id = "reweighting/warp-torus-tent/unbiased",
          .statement = "Torus and tent applied to f(T(u))/p(T(u)) are unbiased, for the density p(x) = 1/2 + x.",
-         .source = "ours, estimators/warp_1d.h",
+         .source = "ours, estimators/warp.h",
          .kind = Kind::mean,
          .check =
              warp_check([f = warped(exponential, ramp)](const Point<1>& u) { return f(tent(u)); }, torus_weights_1d),
@@ -163,7 +169,7 @@ void add_densities(Catalogue& catalogue) {
          .mutants = {{"uniform-g-warped", "g_N(F(x)): the law of cells in u, not in x",
                       step_check([density = four_steps()](std::span<const double> samples) {
                           return density_reweighted_weights_1d(
-                              samples, [&](double x) { return cell_weight(samples.size(), density.cdf(x)); },
+                              samples, [&](double x) { return cell_weight(samples.size(), density.invert(x)); },
                               [&](double x) { return density.pdf(x); });
                       })},
                      {"g-of-n-minus-1", "g of N − 1 samples",

@@ -215,7 +215,7 @@ void add_fast(Catalogue& catalogue) {
     add(catalogue,
         {"reweighting/warp-torus-tent/rate",
          "Torus and tent in the primary sample of p(x) = 1/2 + x: N^-4, reached late.",
-         "ours, estimators/warp_1d.h",
+         "ours, estimators/warp.h",
          "warp-torus-tent",
          -4,
          0.45,

@@ -1,4 +1,4 @@
-#include "analytic/piecewise_constant.h"
+#include "analytic/step_density.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ std::size_t piece_of(const std::vector<double>& borders, double x) {
 
 }  // namespace
 
-PiecewiseConstant::PiecewiseConstant(std::vector<double> edges, std::vector<double> masses)
+StepDensity::StepDensity(std::vector<double> edges, std::vector<double> masses)
     : edges_(std::move(edges)), masses_(std::move(masses)) {
     if (masses_.empty() || edges_.size() != masses_.size() + 1)
         throw Error(
@@ -41,24 +41,24 @@ PiecewiseConstant::PiecewiseConstant(std::vector<double> edges, std::vector<doub
     cumulative_.back() = 1;
 }
 
-PiecewiseConstant PiecewiseConstant::equal_pieces(std::vector<double> masses) {
+StepDensity StepDensity::equal_pieces(std::vector<double> masses) {
     std::vector<double> edges;
     for (std::size_t k = 0; k <= masses.size(); ++k)
         edges.push_back(static_cast<double>(k) / static_cast<double>(masses.size()));
     return {std::move(edges), std::move(masses)};
 }
 
-double PiecewiseConstant::pdf(double x) const {
+double StepDensity::pdf(double x) const {
     const std::size_t k = piece_of(edges_, x);
     return masses_[k] / (edges_[k + 1] - edges_[k]);
 }
 
-double PiecewiseConstant::cdf(double x) const {
+double StepDensity::invert(double x) const {
     const std::size_t k = piece_of(edges_, x);
     return std::min(1.0, cumulative_[k] + masses_[k] * (x - edges_[k]) / (edges_[k + 1] - edges_[k]));
 }
 
-double PiecewiseConstant::inverse_cdf(double u) const {
+double StepDensity::sample(double u) const {
     const std::size_t k = piece_of(cumulative_, u);
     return std::min(edges_[k + 1], edges_[k] + (edges_[k + 1] - edges_[k]) * (u - cumulative_[k]) / masses_[k]);
 }
