@@ -8,7 +8,9 @@ bool belongs(const Claim& claim, Size size) {
     return claim.sizes == Sizes::both || (claim.sizes == Sizes::quick_only) == (size == Size::quick);
 }
 
-bool takes_alpha(Kind kind) { return kind != Kind::exact && kind != Kind::bounded && kind != Kind::cost; }
+bool takes_alpha(Kind kind) {
+    return kind != Kind::exact && kind != Kind::bounded && kind != Kind::cost;
+}
 
 void Catalogue::add(Claim claim) {
     const auto fail = [&](std::string_view what) {
@@ -37,7 +39,8 @@ double Catalogue::share(const Claim& claim, Size size) const {
 
 bool matches(std::string_view id, std::string_view pattern) {
     if (pattern.empty()) return id.empty();
-    if (pattern.front() == '*') return matches(id, pattern.substr(1)) || (!id.empty() && matches(id.substr(1), pattern));
+    if (pattern.front() == '*')
+        return matches(id, pattern.substr(1)) || (!id.empty() && matches(id.substr(1), pattern));
     return !id.empty() && (pattern.front() == '?' || pattern.front() == id.front()) &&
            matches(id.substr(1), pattern.substr(1));
 }

@@ -14,9 +14,9 @@ using Check = std::function<Verdict(const Run&)>;
 /// A subject with a known defect, given to the claim's check in place of the right one; the check must refute it.
 /// Its bias is at least 2 delta, that of a claim's smallest mutant between 2 delta and 4 delta.
 struct Mutant {
-    std::string id;      ///< unique within its claim; reported as claim-id/mutant-id
-    std::string defect;  ///< one sentence
-    Check check;
+    std::string id = {};      ///< unique within its claim; reported as claim-id/mutant-id
+    std::string defect = {};  ///< one sentence
+    Check check = {};
 };
 
 /// Which size classes a claim belongs to.
@@ -24,14 +24,14 @@ enum class Sizes { both, quick_only, full_only };
 
 /// A sentence that can be wrong, where it comes from, and how to find out.
 struct Claim {
-    std::string id;  ///< group/subject/property: patterns like `reweighting/*` select by it
-    std::string statement;
-    std::string source;  ///< paper and equation, or "ours" with the file that derives it
+    std::string id = {};  ///< group/subject/property: patterns like `reweighting/*` select by it
+    std::string statement = {};
+    std::string source = {};  ///< paper and equation, or "ours" with the file that derives it
     Kind kind = Kind::exact;
-    Check check;
-    std::vector<Mutant> mutants;
-    std::string no_mutant;    ///< why no mutant is possible; required exactly when there is none
-    double weight = 1;        ///< of its share of the false-alarm budget; exact and bounded claims take none
+    Check check = {};
+    std::vector<Mutant> mutants = {};
+    std::string no_mutant = {};  ///< why no mutant is possible; required exactly when there is none
+    double weight = 1;      ///< of its share of the false-alarm budget; exact and bounded claims take none
     Sizes sizes = Sizes::both;
 };
 

@@ -16,10 +16,10 @@ namespace plumb {
 using Replicate = std::function<Estimate(std::uint64_t n, RandomStream&)>;
 
 struct ConvergenceSetting {
-    std::string estimator, integrand;     ///< names for the series
-    double truth = 0;                     ///< the known integral: the MSE is about it and divides by R
-    std::vector<std::uint64_t> n;         ///< sample counts, at least two for a slope
-    std::uint64_t replicates = 1000;      ///< the same at every n; independent streams per n
+    std::string estimator, integrand;  ///< names for the series
+    double truth = 0;                  ///< the known integral: the MSE is about it and divides by R
+    std::vector<std::uint64_t> n;      ///< sample counts, at least two for a slope
+    std::uint64_t replicates = 1000;   ///< the same at every n; independent streams per n
 };
 
 /// Measures MSE, bias, evaluations and seconds at each n, and the slope of log MSE on log n by least squares weighted

@@ -16,13 +16,14 @@ Verdict exactly(bool equal, std::uint64_t cases, std::string statement_of_result
 /// Bounded: every |found − truth| / scale lies below the bound (scale 1: absolute). NaN refutes.
 struct BoundedCase {
     std::string name;
-    double error;    ///< already |found − truth| in the claim's unit
-    double x = 0;    ///< place on the corpus' axis, for the stability plot
+    double error;  ///< already |found − truth| in the claim's unit
+    double x = 0;  ///< place on the corpus' axis, for the stability plot
 };
 Verdict within_bound(const std::vector<BoundedCase>& cases, double bound, std::string unit);
 
 /// The same, recorded as a stability plot of the formula over its hard cases.
-Verdict stable(const std::vector<BoundedCase>& cases, double bound, std::string formula, std::string axis, std::string unit = "ulp");
+Verdict stable(const std::vector<BoundedCase>& cases, double bound, std::string formula, std::string axis,
+               std::string unit = "ulp");
 
 /// Cost: counted operations against an exact value or an interval.
 Verdict cost_is(double counted, const Interval& claimed, std::string what);

@@ -26,8 +26,8 @@ struct DistributionClaim {
 Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, const Run& run);
 
 /// The verdict on given counts. degrees_of_freedom < 0: cells with positive probability − 1.
-Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const DistributionClaim& claim, double alpha, double beta,
-                           int degrees_of_freedom = -1);
+Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const DistributionClaim& claim, double alpha,
+                           double beta, int degrees_of_freedom = -1);
 
 /// The cells of a one-dimensional sample in [0,1): `cells` equal ones.
 std::size_t equal_cell(double u, std::size_t cells);

@@ -6,7 +6,7 @@
 namespace plumb {
 
 struct RatioClaim {
-    Interval ratio;         ///< of (variance × cost) of a to that of b
+    Interval ratio;  ///< of (variance × cost) of a to that of b
     double cost_a = 1, cost_b = 1;
     std::uint64_t replicates = 10000;
 };

@@ -26,7 +26,9 @@ public:
     [[nodiscard]] RandomStream random(std::uint64_t index) const { return RandomStream(seed_, stream_, index); }
 
     /// A run with random numbers of its own, for a check that draws for two purposes.
-    [[nodiscard]] Run part(std::string_view name) const { return Run(seed_, id_ + "#" + std::string(name), alpha_, size_, deadline_); }
+    [[nodiscard]] Run part(std::string_view name) const {
+        return Run(seed_, id_ + "#" + std::string(name), alpha_, size_, deadline_);
+    }
 
     /// The same with a share of alpha, for a check that decides several tests: shares must sum to at most 1.
     [[nodiscard]] Run part(std::string_view name, double share) const {
@@ -39,7 +41,9 @@ public:
     [[nodiscard]] double beta() const { return 0.01; }
     [[nodiscard]] Size size() const { return size_; }
     template <class T>
-    [[nodiscard]] T pick(T quick, T full) const { return size_ == Size::quick ? quick : full; }
+    [[nodiscard]] T pick(T quick, T full) const {
+        return size_ == Size::quick ? quick : full;
+    }
     [[nodiscard]] bool out_of_time() const { return deadline_ && std::chrono::steady_clock::now() > *deadline_; }
 
 private:

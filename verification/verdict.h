@@ -31,7 +31,7 @@ struct [[nodiscard]] Verdict {
     Outcome outcome = Outcome::undecided;
     double statistic = std::numeric_limits<double>::quiet_NaN();  ///< NaN where the evidence has none
     double p_value = std::numeric_limits<double>::quiet_NaN();    ///< likewise
-    Interval deviation{};      ///< of what was measured from what was claimed, in the claim's unit
+    Interval deviation{};  ///< of what was measured from what was claimed, in the claim's unit
     double resolution = std::numeric_limits<double>::quiet_NaN();  ///< the largest deviation that could still hide
     std::uint64_t samples = 0;
     std::string reason;  ///< one sentence, fit for a report

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/interval.h"
+#include "core/moments.h"
+
+namespace plumb {
+
+/// The test behind every mean claim, as a value that is fed blocks of samples: three e-processes, each a product of
+/// 1 + lambda (x − m) with lambda chosen before x is seen [Waudby-Smith & Ramdas 2024]. Under "the mean is m" (or on
+/// the far side of m, for a lambda of the right sign) such a product is a non-negative supermartingale that starts at
+/// 1, so the chance that it *ever* reaches 1/a is at most a (Ville): every look is allowed.
+///
+///   against the claim     mixture over lambda = ±2^j delta/variance at m = reference ± epsilon;   refuted at 1/alpha
+///   against +delta        lambda = −delta/variance at m = reference + delta      } both at 1/beta: holds
+///   against −delta        lambda = +delta/variance at m = reference − delta      }
+///
+/// With bounds on the values, lambda is kept where every factor is at least 1/2, and the risks are exact. Without, a
+/// factor can only be kept positive by clamping: then decisions wait until the sample's skewness allows a normal
+/// approximation at this alpha.
+class MeanTest {
+public:
+    struct Setting {
+        double reference, delta, epsilon;
+        Interval bounds;
+        double alpha, beta;
+        std::uint64_t min_samples;
+    };
+    enum class Decision { none, holds, refuted };
+
+    explicit MeanTest(const Setting& setting);
+
+    /// Samples are consumed in blocks of this size (lambda is fixed within a block); the last may be shorter.
+    [[nodiscard]] std::size_t block_size() const;
+    /// Feeds the next block. Values must be finite and within the bounds.
+    Decision add(std::span<const double> block);
+
+    [[nodiscard]] const Moments& moments() const { return moments_; }
+    [[nodiscard]] double p_value() const;  ///< 1/max of the e-process against the claim, valid at any stop
+    [[nodiscard]] bool exact() const { return exact_below_ && exact_above_; }
+    /// Whether the guard on skewness lets an asymptotic decision pass (always true with bounds).
+    [[nodiscard]] bool tails_allow_a_decision() const;
+    /// A 1 − beta confidence sequence for mean − reference (normal mixture, asymptotic), for the report.
+    [[nodiscard]] Interval deviation() const;
+
+    static constexpr int scales = 7;  ///< lambda = 2^j delta/variance, j = −1 … 5
+
+private:
+    struct Bet {
+        double m;      ///< the mean that is bet against
+        double scale;  ///< lambda in units of delta/variance, with its sign
+        double log_wealth = 0;
+    };
+    [[nodiscard]] double variance_guess() const;
+    [[nodiscard]] double lambda(const Bet& bet, double variance) const;
+
+    Setting setting_;
+    bool exact_below_, exact_above_;
+    Moments moments_;
+    std::array<Bet, 2 * scales> against_claim_;
+    Bet against_plus_, against_minus_;
+    double max_log_claim_ = 0, max_log_plus_ = 0, max_log_minus_ = 0;
+    double z_alpha_;
+};
+
+}  // namespace plumb

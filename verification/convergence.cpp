@@ -1,0 +1,104 @@
+#include "verification/convergence.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/moments.h"
+#include "core/parallel.h"
+#include "verification/distributions.h"
+
+namespace plumb {
+namespace {
+
+struct Replicated {
+    double error = 0;  // value − truth
+    double evaluations = 0;
+};
+
+// The point's numbers from its replicates, in order: the same bits on any number of threads.
+ConvergencePoint summarise(std::uint64_t n, const std::vector<Replicated>& replicates) {
+    const double count = static_cast<double>(replicates.size());
+    ConvergencePoint point;
+    point.n = n;
+    Moments errors, squares;
+    for (const Replicated& r : replicates) {
+        errors.add(r.error);
+        squares.add(r.error * r.error);
+        point.evaluations += r.evaluations / count;
+    }
+    point.mse = squares.mean();
+    point.bias = errors.mean();
+    point.bias_standard_error = errors.standard_error();
+    point.log_mse_error = squares.standard_error() / point.mse;  // delta method: sqrt((kurtosis − 1)/R)
+    const double half = normal_upper_quantile(0.025) * point.log_mse_error;
+    point.mse_interval = {point.mse * std::exp(-half), point.mse * std::exp(half)};
+    return point;
+}
+
+ConvergencePoint measure_point(const Replicate& replicate, double truth, std::uint64_t n, std::uint64_t count,
+                               const Run& run) {
+    constexpr std::uint64_t batch = 16;
+    std::vector<Replicated> replicates(count);
+    const std::uint64_t batches = (count + batch - 1) / batch;
+    std::vector<double> seconds(batches);
+    for_batches(batches, [&](std::size_t b) {
+        const auto start = std::chrono::steady_clock::now();
+        for (std::uint64_t r = b * batch; r < std::min((b + 1) * batch, count); ++r) {
+            RandomStream random = run.random(r);
+            const Estimate estimate = replicate(n, random);
+            replicates[r] = {estimate.value - truth, static_cast<double>(estimate.evaluations)};
+        }
+        seconds[b] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    });
+    ConvergencePoint point = summarise(n, replicates);
+    for (const double s : seconds) point.seconds += s / static_cast<double>(count);
+    return point;
+}
+
+}  // namespace
+
+Slope fit_slope(const std::vector<ConvergencePoint>& points, double level) {
+    double weight = 0, x_mean = 0, y_mean = 0;
+    const auto usable = [](const ConvergencePoint& p) {
+        return p.mse > 0 && p.log_mse_error > 0 && std::isfinite(p.log_mse_error);
+    };
+    const auto each = [&](auto&& use) {
+        for (const ConvergencePoint& p : points)
+            if (usable(p))
+                use(std::log(static_cast<double>(p.n)), std::log(p.mse), 1 / (p.log_mse_error * p.log_mse_error));
+    };
+    each([&](double x, double y, double w) {
+        weight += w;
+        x_mean += w * x;
+        y_mean += w * y;
+    });
+    x_mean /= weight;
+    y_mean /= weight;
+    double xx = 0, xy = 0;
+    each([&](double x, double y, double w) {
+        xx += w * (x - x_mean) * (x - x_mean);
+        xy += w * (x - x_mean) * (y - y_mean);
+    });
+    if (!(xx > 0)) return {};
+    Slope slope{xy / xx, std::sqrt(1 / xx), {}};
+    const double half = normal_upper_quantile((1 - level) / 2) * slope.standard_error;
+    slope.interval = {slope.value - half, slope.value + half};
+    return slope;
+}
+
+Series measure_convergence(const Replicate& replicate, const ConvergenceSetting& setting, const Run& run) {
+    Series series;
+    series.estimator = setting.estimator;
+    series.integrand = setting.integrand;
+    series.replicates = setting.replicates;
+    for (const std::uint64_t n : setting.n) {
+        if (run.out_of_time()) break;
+        series.points.push_back(
+            measure_point(replicate, setting.truth, n, setting.replicates, run.part(fmt::format("n={}", n))));
+    }
+    series.slope = fit_slope(series.points, 0.95);
+    return series;
+}
+
+}  // namespace plumb

@@ -1,0 +1,130 @@
+#include "verification/distribution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "core/parallel.h"
+#include "verification/distributions.h"
+
+namespace plumb {
+namespace {
+
+constexpr double undecided_risk = 1e-5;
+constexpr double least_expected_count = 100;  // "5" is a rule for the 5 % level: docs/statistics.md
+
+int positive_cells(const DistributionClaim& claim) {
+    return static_cast<int>(std::ranges::count_if(claim.probabilities, [](double q) { return q > 0; }));
+}
+
+void check_setting(const DistributionClaim& claim) {
+    const double total = std::accumulate(claim.probabilities.begin(), claim.probabilities.end(), 0.0);
+    if (!(std::abs(total - 1) <= 1e-9))
+        throw std::logic_error(fmt::format("distribution_is: the probabilities sum to {:.17g}, not 1", total));
+    if (std::ranges::any_of(claim.probabilities, [](double q) { return !(q >= 0); }))
+        throw std::logic_error("distribution_is: a probability is negative or NaN");
+    if (positive_cells(claim) < 2) throw std::logic_error("distribution_is: fewer than two cells have probability");
+    if (!(claim.delta > 0)) throw std::logic_error("distribution_is: delta must be positive");
+}
+
+// As many samples as make a true claim hold but for the risk 1e-5, and every expected count large enough.
+std::uint64_t samples_needed(const DistributionClaim& claim, double beta) {
+    const double freedom = positive_cells(claim) - 1;
+    const double unlucky = chi_square_upper_quantile(undecided_risk, freedom);
+    const double by_power = noncentrality_upper_bound(unlucky, freedom, beta) / (claim.delta * claim.delta);
+    double rarest = 1;
+    for (const double q : claim.probabilities)
+        if (q > 0) rarest = std::min(rarest, q);
+    return static_cast<std::uint64_t>(std::ceil(std::max(by_power * (1 + 1e-6), least_expected_count / rarest)));
+}
+
+}  // namespace
+
+std::size_t equal_cell(double u, std::size_t cells) {
+    if (!(u >= 0 && u < 1)) return cells;  // outside: where the density is zero
+    return std::min(cells - 1, static_cast<std::size_t>(u * static_cast<double>(cells)));
+}
+
+Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const DistributionClaim& claim, double alpha,
+                           double beta, int degrees_of_freedom) {
+    const double n = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
+    const double freedom = degrees_of_freedom < 0 ? positive_cells(claim) - 1 : degrees_of_freedom;
+    Verdict verdict;
+    verdict.samples = static_cast<std::uint64_t>(n);
+    verdict.resolution = claim.delta;
+    double chi_square = 0, worst = 0;
+    std::size_t worst_cell = 0;
+    for (std::size_t cell = 0; cell < counts.size(); ++cell) {
+        const double q = cell < claim.probabilities.size() ? claim.probabilities[cell] : 0;
+        const double observed = static_cast<double>(counts[cell]);
+        if (q == 0 && observed > 0) {
+            verdict.outcome = Outcome::refuted;
+            verdict.p_value = 0;
+            verdict.reason = fmt::format("{} of {} samples fell into cell {}, where the density is zero", counts[cell],
+                                         verdict.samples, cell);
+            return verdict;
+        }
+        if (q == 0) continue;
+        const double z = (observed - n * q) / std::sqrt(n * q);
+        chi_square += z * z;
+        if (std::abs(z) > std::abs(worst)) {
+            worst = z;
+            worst_cell = cell;
+        }
+    }
+    verdict.statistic = chi_square;
+    verdict.p_value = chi_square_tail(chi_square, freedom);
+    const double phi_bound = std::sqrt(noncentrality_upper_bound(chi_square, freedom, beta) / n);
+    verdict.deviation = {0, phi_bound};
+    verdict.evidence = {
+        {"degrees_of_freedom", freedom}, {"phi_upper_bound", phi_bound},
+        {"delta", claim.delta},          {"worst_cell", static_cast<std::uint64_t>(worst_cell)},
+        {"worst_cell_z", worst},         {"cells", static_cast<std::uint64_t>(claim.probabilities.size())}};
+    if (verdict.p_value < alpha) {
+        verdict.outcome = Outcome::refuted;
+        verdict.reason =
+            fmt::format("chi-square {:.4g} at {:g} degrees of freedom (p = {:.1e}); worst cell {}: {:+.1f} sigma",
+                        chi_square, freedom, verdict.p_value, worst_cell, worst);
+    } else if (phi_bound < claim.delta) {
+        verdict.outcome = Outcome::holds;
+        verdict.reason =
+            fmt::format("chi-square {:.4g} at {:g} degrees of freedom: a density error phi of {:.2g} is excluded",
+                        chi_square, freedom, claim.delta);
+    } else {
+        verdict.reason =
+            fmt::format("a density error phi up to {:.2g} could hide; claimed: below {:.2g}", phi_bound, claim.delta);
+    }
+    return verdict;
+}
+
+Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, const Run& run) {
+    check_setting(claim);
+    constexpr std::uint64_t batch = 4096;
+    const std::uint64_t n = samples_needed(claim, run.beta());
+    const std::uint64_t batches = (n + batch - 1) / batch;
+    const std::size_t cells = claim.probabilities.size();
+    std::vector<std::vector<std::uint64_t>> partial(batches);
+    for_batches(batches, [&](std::size_t b) {
+        std::vector<std::uint64_t> counts(cells + 1);  // the last: outside every cell
+        if (!run.out_of_time())
+            for (std::uint64_t i = b * batch; i < std::min<std::uint64_t>((b + 1) * batch, n); ++i) {
+                RandomStream random = run.random(i);
+                ++counts[std::min(draw(random), cells)];
+            }
+        partial[b] = std::move(counts);
+    });
+    std::vector<std::uint64_t> counts(cells + 1);
+    for (const auto& part : partial)
+        for (std::size_t cell = 0; cell <= cells; ++cell) counts[cell] += part[cell];
+    if (run.out_of_time()) {
+        Verdict verdict;
+        verdict.samples = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+        verdict.resolution = claim.delta;
+        verdict.reason = "the time limit came before a decision";
+        return verdict;
+    }
+    return chi_square_verdict(counts, claim, run.alpha(), run.beta());
+}
+
+}  // namespace plumb

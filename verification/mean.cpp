@@ -1,0 +1,150 @@
+#include "verification/mean.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/parallel.h"
+#include "verification/betting.h"
+
+namespace plumb {
+namespace {
+
+// Samples begin … begin + count − 1, drawn in parallel; each is a function of its index alone.
+std::vector<double> draw_values(const Draw& draw, const Run& run, std::uint64_t begin, std::uint64_t count) {
+    constexpr std::uint64_t batch = 256;
+    std::vector<double> values(count);
+    for_batches((count + batch - 1) / batch, [&](std::size_t b) {
+        const std::uint64_t end = std::min<std::uint64_t>((b + 1) * batch, count);
+        for (std::uint64_t i = b * batch; i < end; ++i) {
+            RandomStream random = run.random(begin + i);
+            values[i] = draw(random);
+        }
+    });
+    return values;
+}
+
+// The bounds with room for the rounding of a value that sits on one of them.
+Interval with_rounding(const Interval& bounds) {
+    double scale = 0;
+    for (const double end : {bounds.low, bounds.high})
+        if (std::isfinite(end)) scale = std::max(scale, std::abs(end));
+    return {bounds.low - 1e-12 * scale, bounds.high + 1e-12 * scale};
+}
+
+// A value that no mean can survive, or that the claim's own bounds exclude; empty when all is well.
+std::string defect_of(double value, std::uint64_t index, const Interval& bounds) {
+    if (!std::isfinite(value)) return fmt::format("sample {} is {}", index, value);
+    if (!bounds.contains(value))
+        return fmt::format("sample {} is {:.17g}, outside the declared bounds [{:.17g}, {:.17g}]", index, value,
+                           bounds.low, bounds.high);
+    return {};
+}
+
+Verdict every_value_is(const Draw& draw, const MeanClaim& claim, const Run& run) {
+    const std::uint64_t count = std::min<std::uint64_t>(claim.cap, std::max<std::uint64_t>(claim.min_samples, 4096));
+    const std::vector<double> values = draw_values(draw, run, 0, count);
+    double worst = 0;
+    std::uint64_t worst_index = 0;
+    for (std::uint64_t i = 0; i < count; ++i)
+        if (const double off = std::abs(values[i] - claim.reference); !(off <= worst)) {
+            worst = off;
+            worst_index = i;
+            if (std::isnan(off)) break;
+        }
+    Verdict verdict;
+    verdict.samples = count;
+    verdict.statistic = worst;
+    verdict.resolution = claim.epsilon;
+    verdict.deviation = {-worst, worst};
+    verdict.outcome = worst <= claim.epsilon ? Outcome::holds : Outcome::refuted;
+    verdict.reason = fmt::format("the worst of {} values, number {}, is {:.3g} from {:.17g}; claimed: at most {:.3g}",
+                                 count, worst_index, worst, claim.reference, claim.epsilon);
+    return verdict;
+}
+
+std::string undecided_reason(const MeanTest& test, const Run& run, std::uint64_t cap) {
+    if (run.out_of_time()) return "the time limit came before a decision";
+    if (!test.tails_allow_a_decision())
+        return fmt::format("heavy tails: the skewness {:.3g} of {} samples makes every interval of the mean worthless",
+                           test.moments().skewness(), test.moments().count());
+    return fmt::format("neither side was decided within the claim's {} samples", cap);
+}
+
+Verdict describe(const MeanTest& test, MeanTest::Decision decision, const MeanClaim& claim, const Run& run) {
+    const Moments& moments = test.moments();
+    const double bias = moments.mean() - claim.reference, error = moments.standard_error();
+    Verdict verdict;
+    verdict.samples = moments.count();
+    verdict.statistic = bias / error;
+    verdict.p_value = test.p_value();
+    verdict.deviation = test.deviation();
+    verdict.resolution = claim.delta;
+    switch (decision) {
+        case MeanTest::Decision::holds:
+            verdict.outcome = Outcome::holds;
+            verdict.reason = fmt::format("mean {:.9g} for {:.9g}: a bias of ±{:.2g} is excluded (risk {:.2g})",
+                                         moments.mean(), claim.reference, claim.delta, run.beta());
+            break;
+        case MeanTest::Decision::refuted:
+            verdict.outcome = Outcome::refuted;
+            verdict.reason = fmt::format("mean {:.9g} ± {:.2g} for {:.9g}: biased by {:+.3g} (p ≤ {:.1e})",
+                                         moments.mean(), error, claim.reference, bias, verdict.p_value);
+            break;
+        case MeanTest::Decision::none: verdict.reason = undecided_reason(test, run, claim.cap);
+    }
+    const double needed = moments.variance() / (claim.delta * claim.delta);
+    verdict.evidence = {{"mean", moments.mean()},
+                        {"standard_error", error},
+                        {"reference", claim.reference},
+                        {"delta", claim.delta},
+                        {"epsilon", claim.epsilon},
+                        {"skewness", moments.skewness()},
+                        {"cap", claim.cap},
+                        {"cap_over_needed", static_cast<double>(claim.cap) / (100 * needed)},
+                        {"risks", test.exact() ? std::string("exact: bounded values") : std::string("asymptotic")}};
+    return verdict;
+}
+
+void check_setting(const MeanClaim& claim) {
+    if (!(claim.delta > 0) && !claim.zero_variance) throw std::logic_error("mean_is: delta must be positive");
+    if (!(claim.epsilon >= 0) || (!claim.zero_variance && claim.epsilon >= claim.delta))
+        throw std::logic_error("mean_is: epsilon must be in [0, delta)");
+    if (!std::isfinite(claim.reference)) throw std::logic_error("mean_is: the reference must be finite");
+}
+
+}  // namespace
+
+Verdict mean_is(const Draw& draw, const MeanClaim& claim, const Run& run) {
+    check_setting(claim);
+    if (claim.zero_variance) return every_value_is(draw, claim, run);
+    const Interval bounds = with_rounding(claim.bounds);
+    MeanTest test({claim.reference, claim.delta, claim.epsilon, bounds, run.alpha(), run.beta(), claim.min_samples});
+    auto decision = MeanTest::Decision::none;
+    std::uint64_t drawn = 0;
+    while (decision == MeanTest::Decision::none && drawn < claim.cap && !run.out_of_time()) {
+        // Waves grow with what was consumed: at most a quarter is drawn in vain. Decisions are made in sample order
+        // and what was drawn past one is discarded, so neither waves nor threads show in a verdict.
+        const std::uint64_t wave =
+            std::min(claim.cap - drawn, std::clamp<std::uint64_t>(drawn / 4 / 256 * 256, 1024, 1 << 18));
+        const std::vector<double> values = draw_values(draw, run, drawn, wave);
+        for (std::uint64_t used = 0; used < wave && decision == MeanTest::Decision::none;) {
+            const auto block = std::span(values).subspan(used, std::min<std::uint64_t>(test.block_size(), wave - used));
+            for (std::size_t i = 0; i < block.size(); ++i)
+                if (std::string defect = defect_of(block[i], drawn + used + i, bounds); !defect.empty()) {
+                    Verdict verdict;
+                    verdict.outcome = Outcome::refuted;
+                    verdict.samples = drawn + used + i + 1;
+                    verdict.resolution = claim.delta;
+                    verdict.reason = std::move(defect);
+                    return verdict;
+                }
+            decision = test.add(block);
+            used += block.size();
+        }
+        drawn += wave;
+    }
+    return describe(test, decision, claim, run);
+}
+
+}  // namespace plumb
