@@ -37,11 +37,21 @@ using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data
 struct Vector {
     double x, y;
 };
-Vector operator-(const Position& a, const Position& b) { return {a.x() - b.x(), a.y() - b.y()}; }
-Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
-double cross(Vector a, Vector b) { return a.x * b.y - a.y * b.x; }
-double squared_length(Vector a) { return a.x * a.x + a.y * a.y; }
-double largest(Vector a) { return std::max(std::abs(a.x), std::abs(a.y)); }
+Vector operator-(const Position& a, const Position& b) {
+    return {a.x() - b.x(), a.y() - b.y()};
+}
+Vector operator+(Vector a, Vector b) {
+    return {a.x + b.x, a.y + b.y};
+}
+double cross(Vector a, Vector b) {
+    return a.x * b.y - a.y * b.x;
+}
+double squared_length(Vector a) {
+    return a.x * a.x + a.y * a.y;
+}
+double largest(Vector a) {
+    return std::max(std::abs(a.x), std::abs(a.y));
+}
 
 /// Inserts the points along a space-filling curve and returns the vertex of each.
 std::vector<Delaunay::Vertex_handle> insert(Delaunay& triangulation, const std::vector<Position>& points) {
@@ -65,12 +75,14 @@ std::vector<Delaunay::Vertex_handle> insert(Delaunay& triangulation, const std::
 constexpr double largest_radius = 5;
 
 /// The factor that keeps products of differences as small as 2^-1074 from underflowing.
-double safe_scale(Vector a) { return largest(a) < 0x1p-300 ? 0x1p700 : 1; }
+double safe_scale(Vector a) {
+    return largest(a) < 0x1p-300 ? 0x1p700 : 1;
+}
 
 /// The centre of the face's circle, relative to `origin`, a vertex of the face.
 /// It is computed from the vertex opposite the longest edge: the sine of the angle there, the longest edge over the
-/// diameter, is the condition number. A triangle so flat that rounding swallows it has edges below 1e-15, and what cells
-/// gain or lose along it is at most that: its centre is put at the largest distance that can be.
+/// diameter, is the condition number. A triangle so flat that rounding swallows it has edges below 1e-15, and what
+/// cells gain or lose along it is at most that: its centre is put at the largest distance that can be.
 Vector circumcentre(Delaunay::Face_handle face, const Position& origin) {
     const auto edge_opposite = [&](int i) {
         return largest(face->vertex(Delaunay::ccw(i))->point() - face->vertex(Delaunay::cw(i))->point());
@@ -133,9 +145,8 @@ std::vector<double> shares(const Delaunay& triangulation, const std::vector<Dela
         Cell& cell = vertex->info();
         if (cell.samples == 0) continue;
         polygon.clear();
-        for_faces_around(triangulation, vertex, [&](Delaunay::Face_handle face) {
-            polygon.push_back(circumcentre(face, vertex->point()));
-        });
+        for_faces_around(triangulation, vertex,
+                         [&](Delaunay::Face_handle face) { polygon.push_back(circumcentre(face, vertex->point())); });
         outline(vertex->point(), polygon, scratch);
         cell.share = std::max(0.0, signed_area(polygon)) / cell.samples;  // rounding may leave an empty cell below 0
     }
@@ -160,8 +171,10 @@ void add_copies(std::vector<Position>& points, const std::vector<Position>& site
         }
 }
 
-/// How far the circles around the samples' faces reach beyond the unit cell; empty when a face is infinite.
+/// How far the circles around the samples' faces reach beyond the unit cell; empty when a face is infinite or all
+/// points are collinear.
 std::optional<double> reach(const Delaunay& triangulation) {
+    if (triangulation.dimension() < 2) return std::nullopt;
     double farthest = 0;
     bool finite = true;
     for (const Delaunay::Vertex_handle vertex : triangulation.finite_vertex_handles()) {

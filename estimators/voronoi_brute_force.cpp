@@ -9,7 +9,8 @@ namespace {
 
 using Polygon = std::vector<Point<2>>;  // relative to the cell's sample
 
-/// Cuts away what lies nearer to d than to the origin. Dividing by the larger coordinate of d keeps d² from underflowing.
+/// Cuts away what lies nearer to d than to the origin. Dividing by the larger coordinate of d keeps d² from
+/// underflowing.
 Polygon nearer_to_origin(const Polygon& polygon, Point<2> d) {
     const double size = std::max(std::abs(d[0]), std::abs(d[1]));
     const Point<2> u{d[0] / size, d[1] / size};
