@@ -64,7 +64,7 @@ private:
     std::array<Bet, 2 * scales> against_claim_;
     Bet against_plus_, against_minus_;
     double max_log_claim_ = 0, max_log_plus_ = 0, max_log_minus_ = 0;
-    double z_alpha_;
+    double z_guard_;
 };
 
 }  // namespace plumb

@@ -31,7 +31,7 @@ struct Claim {
     Check check = {};
     std::vector<Mutant> mutants = {};
     std::string no_mutant = {};  ///< why no mutant is possible; required exactly when there is none
-    double weight = 1;      ///< of its share of the false-alarm budget; exact and bounded claims take none
+    double weight = 1;           ///< of its share of the false-alarm budget; exact and bounded claims take none
     Sizes sizes = Sizes::both;
 };
 

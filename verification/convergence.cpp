@@ -18,15 +18,15 @@ struct Replicated {
 
 // The point's numbers from its replicates, in order: the same bits on any number of threads.
 ConvergencePoint summarise(std::uint64_t n, const std::vector<Replicated>& replicates) {
-    const double count = static_cast<double>(replicates.size());
     ConvergencePoint point;
     point.n = n;
     Moments errors, squares;
     for (const Replicated& r : replicates) {
         errors.add(r.error);
         squares.add(r.error * r.error);
-        point.evaluations += r.evaluations / count;
+        point.evaluations += r.evaluations;
     }
+    point.evaluations /= static_cast<double>(replicates.size());
     point.mse = squares.mean();
     point.bias = errors.mean();
     point.bias_standard_error = errors.standard_error();

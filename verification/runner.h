@@ -15,8 +15,8 @@ struct RunSetting {
     std::uint64_t seed = 0;
     double alpha = 1e-4;  ///< false-alarm budget of the whole run
     Size size = Size::quick;
-    std::vector<std::string> patterns;  ///< of claim ids; empty: all
-    std::optional<std::chrono::duration<double>> time_limit;
+    std::vector<std::string> patterns = {};  ///< of claim ids; empty: all
+    std::optional<std::chrono::duration<double>> time_limit = {};
     int threads = 1;
 };
 

@@ -1,6 +1,7 @@
 #include "verification/verdict.h"
 
 #include <algorithm>
+#include <ostream>
 #include <stdexcept>
 
 #include "core/error.h"
@@ -14,6 +15,10 @@ std::string to_string(Outcome outcome) {
         case Outcome::undecided: return "undecided";
     }
     throw std::logic_error("an Outcome outside its enumeration");
+}
+
+std::ostream& operator<<(std::ostream& out, Outcome outcome) {
+    return out << to_string(outcome);
 }
 
 Outcome outcome_from(std::string_view text) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
 #include <limits>
 #include <string>
 #include <utility>
@@ -20,7 +21,8 @@ enum class Kind { exact, bounded, distribution, mean, ratio, rate, cost };
 
 std::string to_string(Outcome outcome);
 std::string to_string(Kind kind);
-Outcome outcome_from(std::string_view text);  ///< throws Error on another word
+std::ostream& operator<<(std::ostream& out, Outcome outcome);  ///< so that test frameworks print the word
+Outcome outcome_from(std::string_view text);                   ///< throws Error on another word
 
 /// One named value of the evidence, in the order in which a reader wants them.
 using FieldValue = std::variant<double, std::uint64_t, std::string, std::vector<double>>;

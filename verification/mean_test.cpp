@@ -1,0 +1,106 @@
+#include "verification/mean.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace plumb {
+namespace {
+
+using testing::HasSubstr;
+
+const Run run(2024, "mean_test", 1e-6);
+double uniform(RandomStream& random) {
+    return random.uniform();
+}
+
+TEST(MeanIs, HoldsForATrueMean) {
+    const Verdict verdict = mean_is(uniform, {.reference = 0.5, .delta = 0.01, .bounds = {0, 1}}, run);
+    EXPECT_EQ(verdict.outcome, Outcome::holds) << verdict.reason;
+    EXPECT_GT(verdict.p_value, run.alpha());
+    EXPECT_TRUE(verdict.deviation.contains(0));
+}
+
+TEST(MeanIs, RefutesABiasOfTwoDelta) {
+    const Verdict verdict = mean_is(uniform, {.reference = 0.52, .delta = 0.01, .bounds = {0, 1}}, run);
+    EXPECT_EQ(verdict.outcome, Outcome::refuted) << verdict.reason;
+    EXPECT_LE(verdict.p_value, run.alpha());
+}
+
+TEST(MeanIs, AllowsADeviationWithinEpsilon) {
+    const MeanClaim claim{.reference = 0.501, .delta = 0.01, .epsilon = 0.002, .bounds = {0, 1}};
+    EXPECT_EQ(mean_is(uniform, claim, run).outcome, Outcome::holds);
+}
+
+TEST(MeanIs, IsUndecidedAtTheEndOfItsBudget) {
+    const Verdict verdict = mean_is(uniform, {.reference = 0.5, .delta = 0.001, .bounds = {0, 1}, .cap = 5000}, run);
+    EXPECT_EQ(verdict.outcome, Outcome::undecided);
+    EXPECT_EQ(verdict.samples, 5000u);
+}
+
+TEST(MeanIs, IsUndecidedUnderInfiniteVariance) {
+    const auto inverse_root = [](RandomStream& random) { return 1 / std::sqrt(1 - random.uniform()); };
+    const Verdict verdict = mean_is(inverse_root, {.reference = 2, .delta = 0.1, .cap = 100000}, run);
+    EXPECT_EQ(verdict.outcome, Outcome::undecided);
+    EXPECT_THAT(verdict.reason, HasSubstr("heavy tails"));
+}
+
+TEST(MeanIs, ZeroSampleVarianceDecidesNothing) {
+    const auto one = [](RandomStream&) { return 1.0; };
+    EXPECT_EQ(mean_is(one, {.reference = 1, .delta = 0.1, .cap = 10000}, run).outcome, Outcome::undecided);
+    EXPECT_EQ(mean_is(one, {.reference = 2, .delta = 0.1, .cap = 10000}, run).outcome, Outcome::undecided);
+}
+
+TEST(MeanIs, ConstantValuesAreDecidedWithinBounds) {  // Hoeffding needs no variance
+    const auto half = [](RandomStream&) { return 0.5; };
+    EXPECT_EQ(mean_is(half, {.reference = 0.5, .delta = 0.1, .bounds = {0, 1}}, run).outcome, Outcome::holds);
+    EXPECT_EQ(mean_is(half, {.reference = 0.8, .delta = 0.1, .bounds = {0, 1}}, run).outcome, Outcome::refuted);
+}
+
+TEST(MeanIs, DeclaredZeroVarianceChecksEveryValue) {
+    const auto nearly = [](RandomStream& random) { return 1 + 1e-15 * random.uniform(); };
+    EXPECT_EQ(mean_is(nearly, {.reference = 1, .epsilon = 1e-14, .zero_variance = true}, run).outcome, Outcome::holds);
+    EXPECT_EQ(mean_is(nearly, {.reference = 1, .epsilon = 1e-17, .zero_variance = true}, run).outcome,
+              Outcome::refuted);
+}
+
+TEST(MeanIs, NamesTheSampleThatIsNotFinite) {
+    const auto sometimes = [](RandomStream& random) { return random.uniform() < 0.01 ? std::nan("") : 1.0; };
+    const Verdict verdict = mean_is(sometimes, {.reference = 1, .delta = 0.1}, run);
+    EXPECT_EQ(verdict.outcome, Outcome::refuted);
+    EXPECT_THAT(verdict.reason, HasSubstr("is nan"));
+}
+
+TEST(MeanIs, RefutesFalseBounds) {
+    const Verdict verdict = mean_is(uniform, {.reference = 0.5, .delta = 0.01, .bounds = {0, 0.9}}, run);
+    EXPECT_EQ(verdict.outcome, Outcome::refuted);
+    EXPECT_THAT(verdict.reason, HasSubstr("outside the declared bounds"));
+}
+
+TEST(MeanIs, RareSpikesWithinBoundsAreNotMissed) {
+    const auto spike = [](RandomStream& random) { return random.uniform() < 1e-3 ? 1000.0 : 0.0; };
+    EXPECT_EQ(mean_is(spike, {.reference = 1, .delta = 0.5, .bounds = {0, 1000}}, run).outcome, Outcome::holds);
+    EXPECT_EQ(mean_is(spike, {.reference = 0, .delta = 0.5, .bounds = {0, 1000}}, run).outcome, Outcome::refuted);
+}
+
+TEST(MeanIs, SurvivesCancellationOfTwelveDigits) {
+    const auto far = [](RandomStream& random) { return 1e12 + random.uniform(); };
+    EXPECT_EQ(mean_is(far, {.reference = 1e12 + 0.5, .delta = 0.02, .epsilon = 0.001}, run).outcome, Outcome::holds);
+    EXPECT_EQ(mean_is(far, {.reference = 1e12 + 0.6, .delta = 0.02, .epsilon = 0.001}, run).outcome, Outcome::refuted);
+}
+
+TEST(MeanIs, TheTimeLimitOnlyMakesUndecided) {
+    const plumb::Run late(1, "late", 1e-6, Size::quick, std::chrono::steady_clock::now() - std::chrono::seconds(1));
+    const Verdict verdict = mean_is(uniform, {.reference = 0.7, .delta = 0.01, .bounds = {0, 1}}, late);
+    EXPECT_EQ(verdict.outcome, Outcome::undecided);
+    EXPECT_THAT(verdict.reason, HasSubstr("time limit"));
+}
+
+TEST(MeanIs, RejectsSettingsThatMeanNothing) {
+    EXPECT_THROW((void)mean_is(uniform, {.reference = 0.5}, run), std::logic_error);
+    EXPECT_THROW((void)mean_is(uniform, {.reference = 0.5, .delta = 0.1, .epsilon = 0.2}, run), std::logic_error);
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,33 @@
+#include "verification/ratio.h"
+
+#include <gtest/gtest.h>
+
+namespace plumb {
+namespace {
+
+const Run run(2024, "ratio_test", 1e-6);
+double uniform(RandomStream& random) {
+    return random.uniform();
+}
+double mean_of_two(RandomStream& random) {
+    return (random.uniform() + random.uniform()) / 2;
+}
+
+TEST(RatioIs, ComparesVarianceTimesCost) {
+    EXPECT_EQ(ratio_is(mean_of_two, uniform, {.ratio = {0.45, 0.55}}, run).outcome, Outcome::holds);
+    EXPECT_EQ(ratio_is(mean_of_two, uniform, {.ratio = {0.9, 1.1}, .cost_a = 2}, run).outcome, Outcome::holds);
+    EXPECT_EQ(ratio_is(mean_of_two, uniform, {.ratio = {0.9, 1.1}}, run).outcome, Outcome::refuted);
+}
+
+TEST(RatioIs, ZeroSampleVarianceDecidesNothing) {
+    const auto one = [](RandomStream&) { return 1.0; };
+    EXPECT_EQ(ratio_is(one, uniform, {.ratio = {0, 1}}, run).outcome, Outcome::undecided);
+}
+
+TEST(VarianceIs, FindsTheVarianceOverNAtNTwo) {
+    EXPECT_EQ(variance_is(uniform, 1.0 / 12, 0.1, 10000, run).outcome, Outcome::holds);
+    EXPECT_EQ(variance_is(uniform, 1.0 / 24, 0.1, 10000, run).outcome, Outcome::refuted);
+}
+
+}  // namespace
+}  // namespace plumb

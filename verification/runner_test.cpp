@@ -1,0 +1,104 @@
+#include "verification/runner.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "core/error.h"
+#include "verification/deterministic.h"
+#include "verification/mean.h"
+
+namespace plumb {
+namespace {
+
+Check uniform_mean(double reference) {
+    return [reference](const Run& run) {
+        const auto draw = [](RandomStream& random) { return random.uniform(); };
+        return mean_is(draw, {.reference = reference, .delta = 0.02, .bounds = {0, 1}}, run);
+    };
+}
+
+Claim claim(std::string id, Check check) {
+    return {.id = std::move(id),
+            .statement = "a statement",
+            .source = "ours",
+            .kind = Kind::mean,
+            .check = std::move(check),
+            .mutants = {{"shifted", "the mean is 5 % off", uniform_mean(0.55)}}};
+}
+
+Catalogue toy() {
+    Catalogue catalogue;
+    catalogue.add(claim("toy/uniform/mean", uniform_mean(0.5)));
+    catalogue.add(claim("toy/other/mean", uniform_mean(0.5)));
+    catalogue.add({.id = "sum/exact",
+                   .statement = "1 + 1 = 2",
+                   .source = "ours",
+                   .kind = Kind::exact,
+                   .check = [](const Run&) { return exactly(1 + 1 == 2, 1, "equal"); },
+                   .no_mutant = "arithmetic"});
+    return catalogue;
+}
+
+const Progress silent = [](const Judged&, std::size_t, std::size_t) {};
+
+TEST(Judge, JudgesClaimsAndMutantsInCatalogueOrder) {
+    const Catalogue catalogue = toy();
+    const std::vector<Judged> judged = judge(catalogue, {.seed = 5}, silent);
+    ASSERT_EQ(judged.size(), 5u);
+    EXPECT_EQ(judged[0].id(), "toy/uniform/mean");
+    EXPECT_EQ(judged[0].verdict.outcome, Outcome::holds);
+    EXPECT_EQ(judged[1].id(), "toy/uniform/mean/shifted");
+    EXPECT_EQ(judged[1].verdict.outcome, Outcome::refuted);
+    EXPECT_EQ(judged[4].verdict.outcome, Outcome::holds);
+}
+
+TEST(Judge, AVerdictDependsNeitherOnThreadsNorOnTheSelection) {
+    const Catalogue catalogue = toy();
+    const std::vector<Judged> all = judge(catalogue, {.seed = 5, .threads = 2}, silent);
+    const std::vector<Judged> one = judge(catalogue, {.seed = 5, .patterns = {"toy/oth*"}, .threads = 1}, silent);
+    ASSERT_EQ(one.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(one[i].verdict.reason, all[2 + i].verdict.reason);
+        EXPECT_EQ(one[i].verdict.samples, all[2 + i].verdict.samples);
+        EXPECT_EQ(one[i].verdict.p_value, all[2 + i].verdict.p_value);
+    }
+}
+
+TEST(Judge, APatternWithoutAMatchIsAnError) {
+    const Catalogue catalogue = toy();
+    EXPECT_THROW(judge(catalogue, {.patterns = {"tory/*"}}, silent), Error);
+}
+
+TEST(Judge, ACheckThatThrowsIsUndecided) {
+    Catalogue catalogue;
+    catalogue.add(claim("toy/throws", [](const plumb::Run&) -> Verdict { throw std::runtime_error("out of luck"); }));
+    const std::vector<Judged> judged = judge(catalogue, {}, silent);
+    EXPECT_EQ(judged[0].verdict.outcome, Outcome::undecided);
+    EXPECT_THAT(judged[0].verdict.reason, testing::HasSubstr("out of luck"));
+}
+
+TEST(Catalogue, SharesAlphaAmongStatisticalClaims) {
+    const Catalogue catalogue = toy();
+    EXPECT_EQ(catalogue.share(catalogue.claims()[0], Size::quick), 0.5);
+    EXPECT_EQ(catalogue.share(catalogue.claims()[2], Size::quick), 0);
+}
+
+TEST(Catalogue, RefusesAClaimWithoutMutantOrReason) {
+    Catalogue catalogue = toy();
+    EXPECT_THROW(catalogue.add(claim("toy/uniform/mean", uniform_mean(0.5))), std::logic_error);  // id taken
+    Claim bare = claim("toy/bare", uniform_mean(0.5));
+    bare.mutants.clear();
+    EXPECT_THROW(catalogue.add(bare), std::logic_error);
+}
+
+TEST(Matches, KnowsStarsAndQuestionMarks) {
+    EXPECT_TRUE(matches("reweighting/torus/mean", "reweighting/*"));
+    EXPECT_TRUE(matches("reweighting/torus/mean", "*/mean"));
+    EXPECT_TRUE(matches("abc", "a?c"));
+    EXPECT_FALSE(matches("abc", "ab"));
+    EXPECT_FALSE(matches("ab", "abc"));
+}
+
+}  // namespace
+}  // namespace plumb
