@@ -53,9 +53,6 @@ void add_inside(std::vector<double>& breaks, double t, double end) {
 double along_ray(std::uint64_t n, const Point<2>& x, const Point<2>& v, const BallProbability& ball, const Rule& rule) {
     const double length = std::hypot(v[0], v[1]);
     if (length == 0) return 0;
-    // At least a quarter of a ball of radius ≤ 1 around a point of the square lies in it: beyond `last`, uniform
-    // samples leave the integrand below e^{-39}. Other densities are followed to the boundary.
-    const double scale = 1 / std::sqrt(static_cast<double>(n));
     std::vector<double> breaks{0, 1};
     for (int axis = 0; axis < 2; ++axis) {  // the ball touches a side
         add_inside(breaks, x[axis] / (length - v[axis]), 1);
@@ -66,7 +63,8 @@ double along_ray(std::uint64_t n, const Point<2>& x, const Point<2>& v, const Ba
             const double dx = cx - x[0], dy = cy - x[1];
             add_inside(breaks, (dx * dx + dy * dy) / (2 * (v[0] * dx + v[1] * dy)), 1);
         }
-    for (double radius = 1.5 * scale; radius < length; radius *= 2) breaks.push_back(radius / length);
+    const double cell_size = 1.5 / std::sqrt(static_cast<double>(n));
+    for (double radius = cell_size; radius < length; radius *= 2) breaks.push_back(radius / length);
     const auto integrand = [&](double s) {
         const double p = ball({x[0] + s * v[0], x[1] + s * v[1]}, s * length);
         return std::pow(std::max(0.0, 1 - p), static_cast<double>(n - 1)) * s;

@@ -29,9 +29,9 @@ double cell_weight_2d(std::uint64_t n, const Point<2>& x, const BallProbability&
 /// and covers only the layer along the boundary, some 7/√N wide, in which g differs from 1 by more than 1e-15.
 class CellWeightTable2D {
 public:
-    CellWeightTable2D(std::uint64_t n, const BallProbability& ball, int nodes = 17);
+    CellWeightTable2D(std::uint64_t n, const BallProbability& ball, int nodes = 25);
     /// For uniform samples.
-    explicit CellWeightTable2D(std::uint64_t n, int nodes = 17);
+    explicit CellWeightTable2D(std::uint64_t n, int nodes = 25);
 
     [[nodiscard]] double operator()(Point<2> x) const;
     /// What |table(x) − g(x)| is below: four times the largest difference at 64 places between the nodes from a
