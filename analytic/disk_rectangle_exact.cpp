@@ -26,7 +26,8 @@ double disk_rectangle_area_by_chords(const Point<2>& centre, double radius, cons
             for (const int sign : {-1, 1})
                 if (const Real x = sign * sqrt((r - y) * (r + y)); from < x && x < to) breaks.push_back(x);
     std::ranges::sort(breaks);
-    boost::math::quadrature::tanh_sinh<Real> quadrature(12);
+    boost::math::quadrature::tanh_sinh<Real> quadrature(
+        12, Real(1e-60));  // the default end, 1e-10^18 or so, overflows in MPFR
     Real area = 0;
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
         if (breaks[i] < breaks[i + 1]) area += quadrature.integrate(length, breaks[i], breaks[i + 1], Real(1e-30));

@@ -34,8 +34,7 @@ inline std::vector<DiskCase> disk_rectangle_hard_cases() {
         {"larger than everything", {0.3, 0.7}, 1e300},
         {"as small as doubles square", {0.3, 0}, 1e-150},
     };
-    for (int k = 1; k <= 12; ++k)
-        cases.push_back({"radius " + std::to_string(k) + "/10", {0.37, 0.81}, k / 10.0});
+    for (int k = 1; k <= 12; ++k) cases.push_back({"radius " + std::to_string(k) + "/10", {0.37, 0.81}, k / 10.0});
     return cases;
 }
 

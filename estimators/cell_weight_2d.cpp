@@ -72,7 +72,8 @@ double along_ray(std::uint64_t n, const Point<2>& x, const Point<2>& v, const Ba
     return integrate(integrand, breaks, rule);
 }
 
-/// Over the triangle between x and one side of the square: y = x + s (b(t) − x), dy = distance · s ds dt, t along the side.
+/// Over the triangle between x and one side of the square: y = x + s (b(t) − x), dy = distance · s ds dt, t along the
+/// side.
 double over_triangle(std::uint64_t n, const Point<2>& x, int axis, double side, const BallProbability& ball,
                      const Rule& rule) {
     const double distance = std::abs(side - x[axis]), foot = x[1 - axis];
@@ -99,7 +100,8 @@ std::vector<double> chebyshev(int count, double width) {
     return nodes;
 }
 
-/// The weights with which the values at Chebyshev points make up the interpolant at x [Berrut and Trefethen 2004, eq. 5.4].
+/// The weights with which the values at Chebyshev points make up the interpolant at x [Berrut and Trefethen 2004,
+/// eq. 5.4].
 std::vector<double> barycentric(const std::vector<double>& nodes, double x) {
     std::vector<double> weights(nodes.size(), 0.0);
     double sum = 0;
@@ -118,7 +120,9 @@ std::vector<double> barycentric(const std::vector<double>& nodes, double x) {
 
 }  // namespace
 
-double uniform_ball(const Point<2>& centre, double radius) { return disk_rectangle_area(centre, radius); }
+double uniform_ball(const Point<2>& centre, double radius) {
+    return disk_rectangle_area(centre, radius);
+}
 
 double cell_weight_2d(std::uint64_t n, const Point<2>& x, const BallProbability& ball, int order) {
     if (n == 0) throw Error("the expected cell of one of 0 samples does not exist; accepted are 1 and more");
@@ -144,8 +148,8 @@ void CellWeightTable2D::fill(std::uint64_t n, const BallProbability& ball) {
     values_.resize(count * count);
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = 0; j < count; ++j)
-            values_[i * count + j] = symmetric_ && j < i ? values_[j * count + i]
-                                                         : cell_weight_2d(n, {nodes_[i], nodes_[j]}, ball);
+            values_[i * count + j] =
+                symmetric_ && j < i ? values_[j * count + i] : cell_weight_2d(n, {nodes_[i], nodes_[j]}, ball);
     RandomStream random(n, stream_id("cell weight table"));
     for (int i = 0; i < 64; ++i) {
         const Point<2> x{width_ * random.uniform(), width_ * random.uniform()};
@@ -168,7 +172,11 @@ double CellWeightTable2D::operator()(Point<2> x) const {
     return sum;
 }
 
-double CellWeightTable2D::smallest() const { return *std::ranges::min_element(values_); }
-double CellWeightTable2D::largest() const { return *std::ranges::max_element(values_); }
+double CellWeightTable2D::smallest() const {
+    return *std::ranges::min_element(values_);
+}
+double CellWeightTable2D::largest() const {
+    return *std::ranges::max_element(values_);
+}
 
 }  // namespace plumb

@@ -12,7 +12,9 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 const std::vector<Point<2>> corners{{0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}};
-double x_plus_2y(const Point<2>& x) { return x[0] + 2 * x[1]; }
+double x_plus_2y(const Point<2>& x) {
+    return x[0] + 2 * x[1];
+}
 
 TEST(Reweighting2D, OfACentredGridIsTheMidpointRule) {
     EXPECT_NEAR(voronoi_estimate(x_plus_2y, corners).value, 1.5, 1e-15);
