@@ -27,15 +27,6 @@ double log_growth(std::span<const double> block, double lambda, double m) {
     return log_product;
 }
 
-double log_mean_exp(auto begin, auto end) {
-    double top = begin->log_wealth;
-    for (auto bet = begin; bet != end; ++bet) top = std::max(top, bet->log_wealth);
-    double sum = 0;
-    for (auto bet = begin; bet != end; ++bet) sum += std::exp(bet->log_wealth - top);
-    return top + std::log(sum / static_cast<double>(end - begin));
-}
-
-// Two passes, then one merge: cheaper per sample than updating all four moments, and as stable.
 Moments moments_of(std::span<const double> block) {
     Moments moments;
     for (const double x : block) moments.add(x);
@@ -48,13 +39,13 @@ MeanTest::MeanTest(const Setting& setting)
     : setting_(setting),
       exact_below_(std::isfinite(setting.bounds.low)),
       exact_above_(std::isfinite(setting.bounds.high)),
-      against_plus_{setting.reference + setting.delta, -1},
-      against_minus_{setting.reference - setting.delta, +1},
+      against_large_{setting.resolved.high, -1},
+      against_small_{setting.resolved.low, +1},
       z_guard_(normal_upper_quantile(std::min(setting.alpha, guard_level) / 2)) {
     for (int j = 0; j < scales; ++j) {
         const double scale = std::ldexp(1.0, j - 1);
-        against_claim_[2 * j] = {setting.reference + setting.epsilon, scale};
-        against_claim_[2 * j + 1] = {setting.reference - setting.epsilon, -scale};
+        if (std::isfinite(setting.allowed.high)) against_claim_.push_back({setting.allowed.high, scale});
+        if (std::isfinite(setting.allowed.low)) against_claim_.push_back({setting.allowed.low, -scale});
     }
 }
 
@@ -85,21 +76,32 @@ MeanTest::Decision MeanTest::add(std::span<const double> block) {
     const double variance = variance_guess();
     const auto play = [&](Bet& bet) { bet.log_wealth += log_growth(block, lambda(bet, variance), bet.m); };
     for (Bet& bet : against_claim_) play(bet);
-    play(against_plus_);
-    play(against_minus_);
+    for (Bet* bet : {&against_large_, &against_small_})
+        if (std::isfinite(bet->m)) play(*bet);
     moments_.merge(moments_of(block));
 
-    max_log_claim_ = std::max(max_log_claim_, log_mean_exp(against_claim_.begin(), against_claim_.end()));
-    max_log_plus_ = std::max(max_log_plus_, against_plus_.log_wealth);
-    max_log_minus_ = std::max(max_log_minus_, against_minus_.log_wealth);
+    max_log_claim_ = std::max(max_log_claim_, log_evidence());
+    max_log_large_ = std::max(max_log_large_, against_large_.log_wealth);
+    max_log_small_ = std::max(max_log_small_, against_small_.log_wealth);
     if (moments_.count() < setting_.min_samples || !tails_allow_a_decision()) return Decision::none;
     if (max_log_claim_ >= -std::log(setting_.alpha)) return Decision::refuted;
-    if (std::min(max_log_plus_, max_log_minus_) >= -std::log(setting_.beta)) return Decision::holds;
+    const auto excluded = [&](const Bet& bet, double max_log) {
+        return std::isinf(bet.m) || max_log >= -std::log(setting_.beta);
+    };
+    if (excluded(against_large_, max_log_large_) && excluded(against_small_, max_log_small_)) return Decision::holds;
     return Decision::none;
 }
 
 double MeanTest::p_value() const {
     return std::exp(-max_log_claim_);
+}
+
+double MeanTest::log_evidence() const {
+    double top = against_claim_.front().log_wealth;
+    for (const Bet& bet : against_claim_) top = std::max(top, bet.log_wealth);
+    double sum = 0;
+    for (const Bet& bet : against_claim_) sum += std::exp(bet.log_wealth - top);
+    return top + std::log(sum / static_cast<double>(against_claim_.size()));
 }
 
 bool MeanTest::tails_allow_a_decision() const {
@@ -108,14 +110,13 @@ bool MeanTest::tails_allow_a_decision() const {
     return std::abs(moments_.skewness()) * std::pow(z_guard_, 3) / (3 * std::sqrt(n)) <= 1;  // false for NaN
 }
 
-Interval MeanTest::deviation() const {
+Interval MeanTest::mean_interval() const {
     // Robbins' normal mixture, sharpest near the sample count at which the claim is decided.
     const double n = static_cast<double>(moments_.count()), variance = moments_.variance();
     const double rho2 = setting_.delta * setting_.delta / (10 * variance);
     const double a = n * rho2 + 1;
     const double half = std::sqrt(variance * 2 * a / (n * n * rho2) * std::log(std::sqrt(a) / setting_.beta));
-    const double centre = moments_.mean() - setting_.reference;
-    return std::isfinite(half) ? Interval{centre - half, centre + half} : Interval{};
+    return std::isfinite(half) ? Interval{moments_.mean() - half, moments_.mean() + half} : Interval{};
 }
 
 }  // namespace plumb

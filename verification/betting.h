@@ -1,32 +1,34 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/interval.h"
 #include "core/moments.h"
 
 namespace plumb {
 
-/// The test behind every mean claim, as a value that is fed blocks of samples: three e-processes, each a product of
+/// The test behind every mean claim, as a value that is fed blocks of samples: e-processes, each a product of
 /// 1 + lambda (x − m) with lambda chosen before x is seen [Waudby-Smith & Ramdas 2024]. Under "the mean is m" (or on
 /// the far side of m, for a lambda of the right sign) such a product is a non-negative supermartingale that starts at
 /// 1, so the chance that it *ever* reaches 1/a is at most a (Ville): every look is allowed.
 ///
-///   against the claim     mixture over lambda = ±2^j delta/variance at m = reference ± epsilon;   refuted at 1/alpha
-///   against +delta        lambda = −delta/variance at m = reference + delta      } both at 1/beta: holds
-///   against −delta        lambda = +delta/variance at m = reference − delta      }
+///   against the claim     mixture over lambda = ±2^j delta/variance at the ends of `allowed`;   refuted at 1/alpha
+///   against too large     lambda = −delta/variance at the upper end of `resolved`  } both at 1/beta: holds
+///   against too small     lambda = +delta/variance at its lower end                }
 ///
-/// With bounds on the values, lambda is kept where every factor is at least 1/2, and the risks are exact. Without, a
-/// factor can only be kept positive by clamping: then decisions wait until the sample's skewness allows a normal
-/// approximation at this alpha.
+/// An infinite end asks for nothing on its side. With bounds on the values, lambda is kept where every factor is at
+/// least 1/2, and the risks are exact. Without, a factor can only be kept positive by clamping: then decisions wait
+/// until the sample's skewness allows a normal approximation.
 class MeanTest {
 public:
     struct Setting {
-        double reference, delta, epsilon;
-        Interval bounds;
+        Interval allowed;   ///< the means that the claim allows
+        Interval resolved;  ///< the means that `holds` leaves possible; contains `allowed`
+        double delta;       ///< the deviation to look for first; sets the size of the bets
+        Interval bounds;    ///< of one value; infinite where unknown
         double alpha, beta;
         std::uint64_t min_samples;
     };
@@ -41,11 +43,13 @@ public:
 
     [[nodiscard]] const Moments& moments() const { return moments_; }
     [[nodiscard]] double p_value() const;  ///< 1/max of the e-process against the claim, valid at any stop
+    /// Logarithm of the e-process against the claim as it stands: its expectation under the claim is at most 1.
+    [[nodiscard]] double log_evidence() const;
     [[nodiscard]] bool exact() const { return exact_below_ && exact_above_; }
     /// Whether the guard on skewness lets an asymptotic decision pass (always true with bounds).
     [[nodiscard]] bool tails_allow_a_decision() const;
-    /// A 1 − beta confidence sequence for mean − reference (normal mixture, asymptotic), for the report.
-    [[nodiscard]] Interval deviation() const;
+    /// A 1 − beta confidence sequence for the mean (normal mixture, asymptotic), for the report.
+    [[nodiscard]] Interval mean_interval() const;
 
     static constexpr int scales = 7;  ///< lambda = 2^j delta/variance, j = −1 … 5
 
@@ -61,9 +65,9 @@ private:
     Setting setting_;
     bool exact_below_, exact_above_;
     Moments moments_;
-    std::array<Bet, 2 * scales> against_claim_;
-    Bet against_plus_, against_minus_;
-    double max_log_claim_ = 0, max_log_plus_ = 0, max_log_minus_ = 0;
+    std::vector<Bet> against_claim_;
+    Bet against_large_, against_small_;
+    double max_log_claim_ = 0, max_log_large_ = 0, max_log_small_ = 0;
     double z_guard_;
 };
 

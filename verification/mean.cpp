@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "core/parallel.h"
@@ -71,39 +73,61 @@ std::string undecided_reason(const MeanTest& test, const Run& run, std::uint64_t
     return fmt::format("neither side was decided within the claim's {} samples", cap);
 }
 
-Verdict describe(const MeanTest& test, MeanTest::Decision decision, const MeanClaim& claim, const Run& run) {
+// What the test found, as a verdict about mean − reference; the sentences name what was claimed.
+Verdict describe(const MeanTest& test, MeanTest::Decision decision, double reference, std::uint64_t cap, double delta,
+                 const Run& run) {
     const Moments& moments = test.moments();
-    const double bias = moments.mean() - claim.reference, error = moments.standard_error();
+    const double bias = moments.mean() - reference, error = moments.standard_error();
     Verdict verdict;
     verdict.samples = moments.count();
     verdict.statistic = bias / error;
     verdict.p_value = test.p_value();
-    verdict.deviation = test.deviation();
-    verdict.resolution = claim.delta;
+    const Interval mean = test.mean_interval();
+    verdict.deviation = {mean.low - reference, mean.high - reference};
+    verdict.resolution = delta;
     switch (decision) {
-        case MeanTest::Decision::holds:
-            verdict.outcome = Outcome::holds;
-            verdict.reason = fmt::format("mean {:.9g} for {:.9g}: a bias of ±{:.2g} is excluded (risk {:.2g})",
-                                         moments.mean(), claim.reference, claim.delta, run.beta());
-            break;
-        case MeanTest::Decision::refuted:
-            verdict.outcome = Outcome::refuted;
-            verdict.reason = fmt::format("mean {:.9g} ± {:.2g} for {:.9g}: biased by {:+.3g} (p ≤ {:.1e})",
-                                         moments.mean(), error, claim.reference, bias, verdict.p_value);
-            break;
-        case MeanTest::Decision::none: verdict.reason = undecided_reason(test, run, claim.cap);
+        case MeanTest::Decision::holds: verdict.outcome = Outcome::holds; break;
+        case MeanTest::Decision::refuted: verdict.outcome = Outcome::refuted; break;
+        case MeanTest::Decision::none: verdict.reason = undecided_reason(test, run, cap);
     }
-    const double needed = moments.variance() / (claim.delta * claim.delta);
+    const double needed = moments.variance() / (delta * delta);
     verdict.evidence = {{"mean", moments.mean()},
                         {"standard_error", error},
-                        {"reference", claim.reference},
-                        {"delta", claim.delta},
-                        {"epsilon", claim.epsilon},
+                        {"reference", reference},
+                        {"delta", delta},
                         {"skewness", moments.skewness()},
-                        {"cap", claim.cap},
-                        {"cap_over_needed", static_cast<double>(claim.cap) / (100 * needed)},
+                        {"cap", cap},
+                        {"cap_over_needed", static_cast<double>(cap) / (100 * needed)},
                         {"risks", test.exact() ? std::string("exact: bounded values") : std::string("asymptotic")}};
     return verdict;
+}
+
+// Draws in waves and feeds the test block by block until it decides. Empty: read the test. Waves grow with what was
+// consumed, so at most a quarter is drawn in vain; decisions are made in sample order and what was drawn past one is
+// discarded, so that neither waves nor threads show in a verdict.
+std::optional<Verdict> feed(MeanTest& test, MeanTest::Decision& decision, const Draw& draw, const Interval& bounds,
+                            std::uint64_t cap, const Run& run) {
+    std::uint64_t drawn = 0;
+    while (decision == MeanTest::Decision::none && drawn < cap && !run.out_of_time()) {
+        const std::uint64_t wave =
+            std::min(cap - drawn, std::clamp<std::uint64_t>(drawn / 4 / 256 * 256, 1024, 1 << 18));
+        const std::vector<double> values = draw_values(draw, run, drawn, wave);
+        for (std::uint64_t used = 0; used < wave && decision == MeanTest::Decision::none;) {
+            const auto block = std::span(values).subspan(used, std::min<std::uint64_t>(test.block_size(), wave - used));
+            for (std::size_t i = 0; i < block.size(); ++i)
+                if (std::string defect = defect_of(block[i], drawn + used + i, bounds); !defect.empty()) {
+                    Verdict verdict;
+                    verdict.outcome = Outcome::refuted;
+                    verdict.samples = drawn + used + i + 1;
+                    verdict.reason = std::move(defect);
+                    return verdict;
+                }
+            decision = test.add(block);
+            used += block.size();
+        }
+        drawn += wave;
+    }
+    return {};
 }
 
 void check_setting(const MeanClaim& claim) {
@@ -118,33 +142,41 @@ void check_setting(const MeanClaim& claim) {
 Verdict mean_is(const Draw& draw, const MeanClaim& claim, const Run& run) {
     check_setting(claim);
     if (claim.zero_variance) return every_value_is(draw, claim, run);
+    const auto around = [&](double half) { return Interval{claim.reference - half, claim.reference + half}; };
     const Interval bounds = with_rounding(claim.bounds);
-    MeanTest test({claim.reference, claim.delta, claim.epsilon, bounds, run.alpha(), run.beta(), claim.min_samples});
+    MeanTest test(
+        {around(claim.epsilon), around(claim.delta), claim.delta, bounds, run.alpha(), run.beta(), claim.min_samples});
     auto decision = MeanTest::Decision::none;
-    std::uint64_t drawn = 0;
-    while (decision == MeanTest::Decision::none && drawn < claim.cap && !run.out_of_time()) {
-        // Waves grow with what was consumed: at most a quarter is drawn in vain. Decisions are made in sample order
-        // and what was drawn past one is discarded, so neither waves nor threads show in a verdict.
-        const std::uint64_t wave =
-            std::min(claim.cap - drawn, std::clamp<std::uint64_t>(drawn / 4 / 256 * 256, 1024, 1 << 18));
-        const std::vector<double> values = draw_values(draw, run, drawn, wave);
-        for (std::uint64_t used = 0; used < wave && decision == MeanTest::Decision::none;) {
-            const auto block = std::span(values).subspan(used, std::min<std::uint64_t>(test.block_size(), wave - used));
-            for (std::size_t i = 0; i < block.size(); ++i)
-                if (std::string defect = defect_of(block[i], drawn + used + i, bounds); !defect.empty()) {
-                    Verdict verdict;
-                    verdict.outcome = Outcome::refuted;
-                    verdict.samples = drawn + used + i + 1;
-                    verdict.resolution = claim.delta;
-                    verdict.reason = std::move(defect);
-                    return verdict;
-                }
-            decision = test.add(block);
-            used += block.size();
-        }
-        drawn += wave;
-    }
-    return describe(test, decision, claim, run);
+    if (std::optional<Verdict> defect = feed(test, decision, draw, bounds, claim.cap, run)) return *defect;
+    Verdict verdict = describe(test, decision, claim.reference, claim.cap, claim.delta, run);
+    verdict.evidence.emplace_back("epsilon", claim.epsilon);
+    const double mean = test.moments().mean();
+    if (decision == MeanTest::Decision::holds)
+        verdict.reason = fmt::format("mean {:.9g} for {:.9g}: a bias of ±{:.2g} is excluded (risk {:.2g})", mean,
+                                     claim.reference, claim.delta, run.beta());
+    if (decision == MeanTest::Decision::refuted)
+        verdict.reason =
+            fmt::format("mean {:.9g} ± {:.2g} for {:.9g}: biased by {:+.3g} (p ≤ {:.1e})", mean,
+                        test.moments().standard_error(), claim.reference, mean - claim.reference, verdict.p_value);
+    return verdict;
+}
+
+Verdict mean_at_most(const Draw& draw, const AtMostClaim& claim, const Run& run) {
+    if (!(claim.margin > 0)) throw std::logic_error("mean_at_most: margin must be positive");
+    const Interval below{-std::numeric_limits<double>::infinity(), claim.bound};
+    const Interval bounds = with_rounding(claim.bounds);
+    MeanTest test({below, below, claim.margin, bounds, run.alpha(), run.beta(), 0});
+    auto decision = MeanTest::Decision::none;
+    if (std::optional<Verdict> defect = feed(test, decision, draw, bounds, claim.cap, run)) return *defect;
+    Verdict verdict = describe(test, decision, claim.bound, claim.cap, claim.margin, run);
+    const double mean = test.moments().mean(), error = test.moments().standard_error();
+    if (decision == MeanTest::Decision::holds)
+        verdict.reason =
+            fmt::format("mean {:.4g} ± {:.2g}: at most {:.4g} (risk {:.2g})", mean, error, claim.bound, run.beta());
+    if (decision == MeanTest::Decision::refuted)
+        verdict.reason =
+            fmt::format("mean {:.4g} ± {:.2g} exceeds {:.4g} (p ≤ {:.1e})", mean, error, claim.bound, verdict.p_value);
+    return verdict;
 }
 
 }  // namespace plumb

@@ -27,4 +27,14 @@ struct MeanClaim {
 /// Is the expectation of draw the reference? Sequential, anytime-valid, by betting: docs/statistics.md, "Mean claims".
 Verdict mean_is(const Draw& draw, const MeanClaim& claim, const Run& run);
 
+struct AtMostClaim {
+    double bound = 0;   ///< the expectation is claimed to be at most this
+    double margin = 0;  ///< how far below it is expected to lie; sets the size of the bets, not the risks
+    Interval bounds{};  ///< of one value, where known
+    std::uint64_t cap = std::uint64_t{1} << 24;
+};
+
+/// Is the expectation of draw at most the bound? The same test with one side left open.
+Verdict mean_at_most(const Draw& draw, const AtMostClaim& claim, const Run& run);
+
 }  // namespace plumb

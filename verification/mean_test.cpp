@@ -102,5 +102,12 @@ TEST(MeanIs, RejectsSettingsThatMeanNothing) {
     EXPECT_THROW((void)mean_is(uniform, {.reference = 0.5, .delta = 0.1, .epsilon = 0.2}, run), std::logic_error);
 }
 
+TEST(MeanAtMost, DecidesOneSide) {
+    EXPECT_EQ(mean_at_most(uniform, {.bound = 0.6, .margin = 0.1, .bounds = {0, 1}}, run).outcome, Outcome::holds);
+    EXPECT_EQ(mean_at_most(uniform, {.bound = 0.4, .margin = 0.1, .bounds = {0, 1}}, run).outcome, Outcome::refuted);
+    const auto never = [](RandomStream&) { return 0.0; };
+    EXPECT_EQ(mean_at_most(never, {.bound = 0.01, .margin = 0.01, .bounds = {0, 1}}, run).outcome, Outcome::holds);
+}
+
 }  // namespace
 }  // namespace plumb

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "cli/options.h"
+
+namespace plumb {
+
+/// The verbs: each does its work, prints to standard output and returns the program's exit code. Throws Error.
+int verify(const VerifyOptions& options);
+int list(const ListOptions& options);
+int converge(const ConvergeOptions& options);
+int report(const ReportOptions& options);
+
+}  // namespace plumb

@@ -1,0 +1,80 @@
+#include <chrono>
+
+#include "analytic/integrand.h"
+#include "cli/commands.h"
+#include "cli/run_info.h"
+#include "core/error.h"
+#include "core/parallel.h"
+#include "estimators/estimator.h"
+#include "reports/file.h"
+#include "reports/html.h"
+#include "reports/json.h"
+#include "reports/table.h"
+#include "verification/convergence.h"
+
+namespace plumb {
+namespace {
+
+template <int D>
+bool knows_integrand(const std::string& id) {
+    return std::ranges::any_of(integrands<D>(), [&](const Integrand<D>& f) { return f.id == id; });
+}
+
+template <int D>
+Series measure(const std::string& estimator_id, const Integrand<D>& integrand, const ConvergeOptions& options, const Run& run) {
+    const Estimator<D>& estimator = find_estimator<D>(estimator_id);
+    const ConvergenceSetting setting{.estimator = estimator.id,
+                                     .integrand = integrand.id,
+                                     .truth = integrand.integral_value(),
+                                     .n = options.n,
+                                     .replicates = options.replicates};
+    const Replicate replicate = [&](std::uint64_t n, RandomStream& random) { return estimator.run(integrand.value, n, random); };
+    Series series = measure_convergence(replicate, setting, run.part(estimator.id + " on " + integrand.id));
+    if (estimator.expected_slope) series.expected_slope = estimator.expected_slope(integrand);
+    return series;
+}
+
+Series measure_any(const std::string& estimator, const std::string& integrand, const ConvergeOptions& options, const Run& run) {
+    if (knows_integrand<1>(integrand)) return measure<1>(estimator, find_integrand<1>(integrand), options, run);
+    if (knows_integrand<2>(integrand)) return measure<2>(estimator, find_integrand<2>(integrand), options, run);
+    std::vector<std::string> known;
+    for (const auto& f : integrands<1>()) known.push_back(f.id);
+    for (const auto& f : integrands<2>()) known.push_back(f.id);
+    throw unknown_name("integrand", integrand, known);
+}
+
+// Every name is looked up before the first sample is drawn.
+void check_names(const ConvergeOptions& options) {
+    ConvergeOptions nothing = options;
+    nothing.n.clear();
+    const Run run(0, "names", 1);
+    for (const std::string& integrand : options.integrands)
+        for (const std::string& estimator : options.estimators) measure_any(estimator, integrand, nothing, run);
+}
+
+}  // namespace
+
+int converge(const ConvergeOptions& options) {
+    check_names(options);
+    RunInfo info = start_run(options.seed, options.threads);
+    const Run run(info.seed, "converge", 1);
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<Series> series;
+    {
+        ProgressLine line;
+        with_threads(info.threads, [&] {
+            for (const std::string& integrand : options.integrands)
+                for (const std::string& estimator : options.estimators) {
+                    line.show(estimator + " on " + integrand);
+                    series.push_back(measure_any(estimator, integrand, options, run));
+                }
+        });
+    }
+    info.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (!options.json.empty()) write_file(options.json, converge_json(info, series));
+    write_converge_report(info, series, options.report);
+    fmt::print("{}report: {}\n", converge_table(series, terminal_style()), options.report);
+    return 0;
+}
+
+}  // namespace plumb

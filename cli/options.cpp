@@ -1,0 +1,176 @@
+#include "cli/options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "cli/version.h"
+#include "core/error.h"
+
+namespace plumb {
+namespace {
+
+// Turns an Error of one of our parsers into CLI11's, which names the option.
+template <class Parse>
+auto checked(Parse parse) {
+    return [parse](const std::string& text) -> std::string {
+        try {
+            parse(text);
+            return {};
+        } catch (const Error& error) {
+            return error.what();
+        }
+    };
+}
+
+const CLI::Validator probability(
+    [](const std::string& text) -> std::string {
+        double value = 0;
+        const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool number = failure == std::errc() && end == text.data() + text.size();
+        return number && value > 0 && value < 1 ? "" : fmt::format("'{}' is not a number in (0, 1)", text);
+    },
+    "in (0, 1)");
+
+void add_seed_and_threads(CLI::App* verb, std::optional<std::uint64_t>& seed, int& threads) {
+    verb->add_option("--seed", seed, "the run's random seed; a new one when not given, recorded either way");
+    verb->add_option("--threads", threads, "worker threads; the results do not depend on them")->check(CLI::Range(1, 4096));
+}
+
+void add_verify(CLI::App& app, VerifyOptions& options) {
+    CLI::App* verb = app.add_subcommand("verify", "Judge claims and their mutants; write a report");
+    verb->add_option("patterns", options.patterns, "claims to judge, e.g. 'reweighting/*'; all when none is given");
+    verb->add_flag("--full", options.full, "the full size of every claim (about 20 times the work)");
+    verb->add_option("--alpha", options.alpha, "false-alarm budget of the whole run")->check(probability)->capture_default_str();
+    verb->add_option_function<std::string>(
+            "--time-limit", [&](const std::string& text) { options.time_limit = parse_duration(text); },
+            "stop drawing after this long, e.g. 60s: what is open then is undecided")
+        ->check(checked(parse_duration));
+    add_seed_and_threads(verb, options.seed, options.threads);
+    verb->add_option("--json", options.json, "write verdicts as JSON to this file");
+    verb->add_option("--report", options.report, "the HTML report")->capture_default_str();
+    verb->add_option("--store", options.store, "the SQLite store that the run is added to")->capture_default_str();
+    verb->footer(
+        "Exit code: 0 every claim holds and every mutant is refuted, 1 a claim refuted or a mutant alive,\n"
+        "2 usage or input error, 3 something undecided.\n\n"
+        "Example: plumb verify 'reweighting/*' 'points/*' --json verdicts.json");
+}
+
+void add_list(CLI::App& app, ListOptions& options) {
+    CLI::App* verb = app.add_subcommand("list", "List what Plumb knows");
+    verb->add_option("what", options.what, "claims, mutants, integrands or estimators")->required();
+    verb->add_flag("--json", options.json, "as JSON, to standard output");
+    verb->footer("Example: plumb list integrands --json");
+}
+
+void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) {
+    CLI::App* verb = app.add_subcommand("converge", "Measure error against samples, evaluations and seconds");
+    verb->add_option("estimators", options.estimators, "e.g. independent torus-tent; see plumb list estimators")->required();
+    verb->add_option("--on", options.integrands, "integrands, e.g. exp; see plumb list integrands")->required();
+    verb->add_option("--n", counts, "sample counts: first..last (doubling) or a list a,b,c")
+        ->check(checked(parse_sample_counts))
+        ->capture_default_str();
+    verb->add_option("--replicates", options.replicates, "independent runs at each count")
+        ->check(CLI::Range(2, 100'000'000))
+        ->capture_default_str();
+    add_seed_and_threads(verb, options.seed, options.threads);
+    verb->add_option("--json", options.json, "write the series as JSON to this file");
+    verb->add_option("--report", options.report, "the page with the plots")->capture_default_str();
+    verb->footer("Example: plumb converge independent torus-tent --on exp --n 16..4096");
+}
+
+void add_report(CLI::App& app, ReportOptions& options) {
+    CLI::App* verb = app.add_subcommand("report", "Rebuild the report of a stored run");
+    verb->add_option("--run", options.run, "the run's number; the newest when not given");
+    verb->add_option("--against", options.against, "another run: show what changed since");
+    verb->add_flag("--list", options.list, "list the stored runs instead");
+    verb->add_option("--store", options.store, "the SQLite store")->capture_default_str();
+    verb->add_option("--report", options.report, "where the page goes")->capture_default_str();
+    verb->footer("Example: plumb report --run 12 --against 11");
+}
+
+// CLI11 says "The following argument was not expected": name it, and the nearest known one.
+std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
+    const CLI::App* verb = &app;
+    for (const CLI::App* sub : app.get_subcommands()) verb = sub;
+    std::vector<std::string> verbs, options;
+    for (const CLI::App* sub : app.get_subcommands(nullptr)) verbs.push_back(sub->get_name());
+    for (const CLI::Option* option : verb->get_options())
+        for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+    if (verb == &app && argc > 1 && argv[1][0] != '-') return unknown_name("verb", argv[1], verbs).what();
+    if (dynamic_cast<const CLI::ExtrasError*>(&error))
+        for (int i = 1; i < argc; ++i) {
+            const std::string typed = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+            if (typed.starts_with("--") && std::ranges::find(options, typed) == options.end())
+                return unknown_name("option", typed, options).what();
+        }
+    return error.what();
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> parse_sample_counts(const std::string& text) {
+    const auto number = [&](std::string_view part) {
+        std::uint64_t value = 0;
+        const auto [end, failure] = std::from_chars(part.data(), part.data() + part.size(), value);
+        if (failure != std::errc() || end != part.data() + part.size() || value == 0 || value > (std::uint64_t{1} << 32))
+            throw Error(fmt::format("'{}' is not a sample count between 1 and 2^32, in '{}'; accepted: 16..65536 or 16,100,1000",
+                                    part, text));
+        return value;
+    };
+    std::vector<std::uint64_t> counts;
+    if (const std::size_t dots = text.find(".."); dots != std::string::npos) {
+        const std::uint64_t first = number(std::string_view(text).substr(0, dots)), last = number(std::string_view(text).substr(dots + 2));
+        if (last < first) throw Error(fmt::format("'{}' runs backwards; accepted: first..last with first ≤ last", text));
+        for (std::uint64_t n = first; n <= last; n *= 2) counts.push_back(n);
+        return counts;
+    }
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', begin), text.size());
+        counts.push_back(number(std::string_view(text).substr(begin, comma - begin)));
+        begin = comma + 1;
+    }
+    std::ranges::sort(counts);
+    counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+    return counts;
+}
+
+std::chrono::duration<double> parse_duration(const std::string& text) {
+    double value = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const std::string_view unit(end, text.data() + text.size());
+    const double scale = unit.empty() || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
+    if (failure != std::errc() || scale == 0 || !(value > 0) || !(value * scale < 1e9))
+        throw Error(fmt::format("'{}' is not a duration; accepted: 90, 90s, 1.5m, 2h", text));
+    return std::chrono::duration<double>(value * scale);
+}
+
+Options parse_options(int argc, const char* const* argv) {
+    CLI::App app("Plumb decides whether a Monte Carlo estimator is true.", "plumb");
+    app.set_version_flag("--version", std::string(version));
+    app.require_subcommand(1);
+    app.footer("plumb VERB --help explains a verb, with an example.");
+    VerifyOptions verify;
+    ListOptions list;
+    ConvergeOptions converge;
+    std::string counts = "16..4096";
+    ReportOptions report;
+    add_verify(app, verify);
+    add_list(app, list);
+    add_converge(app, converge, counts);
+    add_report(app, report);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& answer) {
+        return Answered{app.exit(answer)};
+    } catch (const CLI::ParseError& error) {
+        fmt::print(stderr, "plumb: {}\n", explain(app, error, argc, argv));
+        return Answered{2};
+    }
+    converge.n = parse_sample_counts(counts);
+    if (app.got_subcommand("verify")) return verify;
+    if (app.got_subcommand("list")) return list;
+    if (app.got_subcommand("converge")) return converge;
+    return report;
+}
+
+}  // namespace plumb

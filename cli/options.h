@@ -1,0 +1,57 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace plumb {
+
+struct VerifyOptions {
+    std::vector<std::string> patterns;
+    bool full = false;
+    double alpha = 1e-4;
+    std::optional<std::chrono::duration<double>> time_limit;
+    std::optional<std::uint64_t> seed;  ///< empty: a new one
+    int threads = 0;                    ///< 0: as many as the hardware has
+    std::string json, report = "out/report.html", store = "out/results.db";  ///< json: empty for none
+};
+
+struct ListOptions {
+    std::string what;  ///< claims, mutants, integrands or estimators
+    bool json = false;
+};
+
+struct ConvergeOptions {
+    std::vector<std::string> estimators, integrands;
+    std::vector<std::uint64_t> n;
+    std::uint64_t replicates = 1000;
+    std::optional<std::uint64_t> seed;
+    int threads = 0;
+    std::string json, report = "out/converge.html";
+};
+
+struct ReportOptions {
+    std::string store = "out/results.db", report = "out/report.html";
+    std::optional<std::int64_t> run, against;  ///< run: empty for the newest
+    bool list = false;
+};
+
+/// The program's arguments were answered already (--help, --version) or were wrong: end with this exit code.
+struct Answered {
+    int exit_code = 0;
+};
+
+using Options = std::variant<Answered, VerifyOptions, ListOptions, ConvergeOptions, ReportOptions>;
+
+/// Reads the command line; prints help, or a one-line error with the nearest known name, by itself.
+Options parse_options(int argc, const char* const* argv);
+
+/// "16..65536" (powers of two times the first) or "16,100,1000"; throws Error.
+std::vector<std::uint64_t> parse_sample_counts(const std::string& text);
+/// "90", "90s", "1.5m", "2h"; throws Error.
+std::chrono::duration<double> parse_duration(const std::string& text);
+
+}  // namespace plumb

@@ -1,0 +1,48 @@
+#include "cli/run_info.h"
+
+#include <fmt/chrono.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <random>
+
+#include "cli/version.h"
+#include "core/parallel.h"
+
+namespace plumb {
+
+RunInfo start_run(std::optional<std::uint64_t> seed, int threads) {
+    RunInfo run;
+    std::random_device entropy;
+    // 53 bits, so that the seed survives JSON readers that know only doubles.
+    run.seed = seed ? *seed : ((static_cast<std::uint64_t>(entropy()) << 32 | entropy()) >> 11);
+    run.threads = threads > 0 ? threads : hardware_threads();
+    run.version = version;
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    run.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+    return run;
+}
+
+TableStyle terminal_style() {
+    TableStyle style;
+    winsize size{};
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col >= 60) style.width = size.ws_col;
+    style.colour = isatty(STDOUT_FILENO) == 1 && !std::getenv("NO_COLOR");
+    return style;
+}
+
+ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine() {
+    if (terminal_) fmt::print(stderr, "\r\033[K");
+}
+
+void ProgressLine::show(std::string_view text) {
+    if (!terminal_) return;
+    fmt::print(stderr, "\r\033[K{}", text);
+    std::fflush(stderr);
+}
+
+}  // namespace plumb

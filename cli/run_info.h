@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "reports/results.h"
+#include "reports/table.h"
+
+namespace plumb {
+
+/// A run that starts now: the seed (a new one when none is given) and the threads (the hardware's when 0).
+RunInfo start_run(std::optional<std::uint64_t> seed, int threads);
+
+/// Colour and width as standard output allows.
+TableStyle terminal_style();
+
+/// Rewrites one line of standard error when that is a terminal, and is silent otherwise.
+class ProgressLine {
+public:
+    ProgressLine();
+    ~ProgressLine();
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+    void show(std::string_view text);
+
+private:
+    bool terminal_;
+};
+
+}  // namespace plumb
