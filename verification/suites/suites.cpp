@@ -4,6 +4,7 @@ namespace plumb {
 
 Catalogue shipped_catalogue() {
     Catalogue catalogue;
+    add_reweighting_2d_claims(catalogue);
     return catalogue;
 }
 

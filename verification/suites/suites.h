@@ -8,5 +8,6 @@ namespace plumb {
 Catalogue shipped_catalogue();
 
 // One function a group, one group a file of this folder.
+void add_reweighting_2d_claims(Catalogue& catalogue);
 
 }  // namespace plumb
