@@ -31,6 +31,10 @@ inline std::vector<DiskCase> disk_rectangle_hard_cases() {
         {"flat slit", {0.5, 0.5}, 0.25, {{0, 0.5}, {1, 0.5 + 1e-12}}},
         {"flat slit that the disk just holds", {0.5, 0.5}, 0.5, {{0, 0.5 - 1e-12}, {1, 0.5 + 1e-12}}},
         {"tall slit", {0.5, 0.5}, 0.25, {{0.5 - 1e-12, 0}, {0.5, 1}}},
+        {"flat slit that just cuts the disk's ends",
+         {0.5, 0.5},
+         0.25,
+         {{0.25 + 1e-13, 0.5 - 1e-6}, {0.75 - 1e-13, 0.5}}},
         {"larger than everything", {0.3, 0.7}, 1e300},
         {"as small as doubles square", {0.3, 0}, 1e-150},
     };

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
 #include "core/point.h"
+#include "estimators/chebyshev_patch.h"
 
 namespace plumb {
 
@@ -15,40 +17,43 @@ namespace plumb {
 //
 // since y belongs to the cell of x when none of the other N−1 samples is nearer.
 
-/// P(B(centre, radius) ∩ Ω) under the density of one sample; the centre lies in the square.
-using BallProbability = std::function<double(const Point<2>& centre, double radius)>;
+/// A density on the unit square as g sees it.
+struct BallMeasure {
+    /// P(B(centre, radius) ∩ Ω); the centre lies in the square.
+    std::function<double(const Point<2>& centre, double radius)> probability;
+    /// The lines x = c and y = c on which the density jumps, the sides among them: quadratures split there.
+    std::array<std::vector<double>, 2> jumps{{{0, 1}, {0, 1}}};
+};
 
 /// That of uniform samples: the area of the disk in the square.
-double uniform_ball(const Point<2>& centre, double radius);
+BallMeasure uniform_ball();
 
 /// g(x) by quadrature of the given order: along rays from x to the boundary, split where the ball along the ray touches
-/// a side or reaches a corner, with weights of Gauss and Legendre.
-double cell_weight_2d(std::uint64_t n, const Point<2>& x, const BallProbability& ball, int order = 12);
+/// a line of jumps or reaches a crossing of two, by Gauss and Legendre's rule.
+double cell_weight_2d(std::uint64_t n, const Point<2>& x, const BallMeasure& ball, int order = 12);
 
-/// g tabulated: interpolated between Chebyshev nodes. For uniform samples the table uses the symmetries of the square
-/// and covers only the layer along the boundary, some 7/√N wide, in which g differs from 1 by more than 1e-15.
+/// g tabulated, by Chebyshev interpolation between the lines on which the density jumps. For uniform samples the table
+/// uses the symmetries of the square and covers only the layer along the boundary, 7/√N wide, beyond which g differs
+/// from 1 by less than 1e-15.
 class CellWeightTable2D {
 public:
-    CellWeightTable2D(std::uint64_t n, const BallProbability& ball, int nodes = 25);
+    CellWeightTable2D(std::uint64_t n, const BallMeasure& ball, int nodes = 13);
     /// For uniform samples.
     explicit CellWeightTable2D(std::uint64_t n, int nodes = 25);
 
     [[nodiscard]] double operator()(Point<2> x) const;
-    /// What |table(x) − g(x)| is below: four times the largest difference at 64 places between the nodes from a
-    /// quadrature of higher order. Measured, not proved; voronoi_test holds it to independent quadratures.
+    /// What |table(x) − g(x)| is below: four times the largest difference from a quadrature of higher order at 64
+    /// random places. Measured, not proved; voronoi_test holds table and quadrature to the midpoint rule.
     [[nodiscard]] double error() const { return error_; }
     /// The smallest and largest tabulated values.
     [[nodiscard]] double smallest() const;
     [[nodiscard]] double largest() const;
 
 private:
-    void fill(std::uint64_t n, const BallProbability& ball);
-    [[nodiscard]] Point<2> folded(Point<2> x) const;
+    void measure_error(std::uint64_t n, const BallMeasure& ball);
 
-    bool symmetric_;
-    double width_;                ///< the table covers [0, width]²
-    std::vector<double> nodes_;   ///< on one axis
-    std::vector<double> values_;  ///< row by row
+    std::vector<ChebyshevPatch> patches_;
+    double fold_ = 1;  ///< coordinates are mirrored at 1/2 and cut off here, if below 1
     double error_ = 0;
 };
 

@@ -68,7 +68,7 @@ std::vector<HardSet> voronoi_hard_sets() {
         {"nearly-collinear", line(64, {0.1, 0.2}, {0.7, 0.9})},
         {"circle", circle(100, 0.4, false)},
         {"circle-with-centre", circle(100, 0.4, true)},
-        {"large-circle-with-centre", circle(100000, 0.4, true)},
+        {"large-circle-with-centre", circle(20000, 0.4, true)},
         {"tiny-circle", circle(100, 1e-13, true), false},
         {"grid", grid(16)},
         {"cluster", cluster(300, 1e-12, {0.3, 0.6}), false},

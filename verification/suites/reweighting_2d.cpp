@@ -1,5 +1,5 @@
-// Sample weights by Voronoi cells in the unit square. Biases of mutants were measured with 4·10^4 samples or more, those
-// that g predicts computed; delta lies at a half to a quarter of the smallest.
+// Sample weights by Voronoi cells in the unit square. Biases of mutants were measured with 4·10^4 samples or more,
+// those that g predicts computed; delta lies at a half to a quarter of the smallest.
 #include <numbers>
 
 #include "analytic/disk_rectangle.h"
@@ -26,11 +26,15 @@ using Samples = std::vector<Point<2>>;
 using Weigh = std::function<std::vector<double>(std::span<const Point<2>>)>;
 
 // The integrand of most claims: not linear, not periodic, its normal derivative nowhere 0 on the boundary.
-double exp_sum(const Point<2>& x) { return std::exp(x[0] + x[1]); }
+double exp_sum(const Point<2>& x) {
+    return std::exp(x[0] + x[1]);
+}
 const double exp_sum_integral = std::pow(std::expm1(1.0), 2);
 const Interval exp_sum_bounds{1, std::exp(2.0)};  // of every weighted sum, too, whose weights sum to 1
 
-double one(const Point<2>&) { return 1; }
+double one(const Point<2>&) {
+    return 1;
+}
 
 /// One weighted sum of n independent samples.
 Draw weighted(const Function<2>& f, std::uint64_t n, const Weigh& weigh) {
@@ -69,8 +73,10 @@ std::vector<double> not_clipped(std::span<const Point<2>> samples) {
 }
 
 std::vector<double> coincident_counted_fully(std::span<const Point<2>> samples) {
+    std::map<Point<2>, int> count;
+    for (const Point<2>& x : samples) ++count[x];
     std::vector<double> areas = voronoi_areas(samples);
-    for (std::size_t i = 0; i < samples.size(); ++i) areas[i] *= static_cast<double>(std::ranges::count(samples, samples[i]));
+    for (std::size_t i = 0; i < samples.size(); ++i) areas[i] *= count[samples[i]];
     return areas;
 }
 
@@ -142,12 +148,14 @@ void add_areas(Catalogue& catalogue) {
         .source = "definition of the cell, estimators/voronoi_brute_force.h",
         .kind = Kind::bounded,
         .check = areas_agree(voronoi_areas, brute_force_voronoi_areas, false),
-        .mutants = {{"torus", "cells on the torus", areas_agree(voronoi_areas_periodic, brute_force_voronoi_areas, true)}},
+        .mutants = {{"torus", "cells on the torus",
+                     areas_agree(voronoi_areas_periodic, brute_force_voronoi_areas, true)}},
     });
     catalogue.add({
         .id = "reweighting/2d-torus/areas",
-        .statement = "Voronoi areas on the torus equal the square around a sample cut by every bisector with every copy, "
-                     "within 1e-12.",
+        .statement =
+            "Voronoi areas on the torus equal the square around a sample cut by every bisector with every copy, "
+            "within 1e-12.",
         .source = "definition of the cell, estimators/voronoi_brute_force.h",
         .kind = Kind::bounded,
         .check = areas_agree(voronoi_areas_periodic, brute_force_voronoi_areas_periodic, true),
@@ -166,8 +174,16 @@ Check unbiased(const Function<2>& f, std::uint64_t n, const Weigh& weigh, double
     };
 }
 
-double tented(const Point<2>& u) { return exp_sum(tent(u)); }
-double half_tented(const Point<2>& u) { return exp_sum({std::min(u[0], 1 - u[0]), std::min(u[1], 1 - u[1])}); }
+double tented(const Point<2>& u) {
+    return exp_sum(tent(u));
+}
+double sine_tented(const Point<2>& u) {
+    const auto phi = [](double v) { return (1 - std::cos(2 * std::numbers::pi * v)) / 2; };
+    return exp_sum({phi(u[0]), phi(u[1])});
+}
+double half_tented(const Point<2>& u) {
+    return exp_sum({std::min(u[0], 1 - u[0]), std::min(u[1], 1 - u[1])});
+}
 
 /// The area of the cell of a sample at a fixed place among n − 1 uniform ones.
 Check mean_cell_is_one_in_n(const Weigh& weigh) {
@@ -177,7 +193,7 @@ Check mean_cell_is_one_in_n(const Weigh& weigh) {
             x[0] = {0.1, 0.3};
             return weigh(x)[0];
         };
-        return mean_is(cell, {.reference = 0.25, .delta = 0.004, .bounds = {0, 1}}, run);
+        return mean_is(cell, {.reference = 0.25, .delta = 0.01, .bounds = {0, 1}}, run);
     };
 }
 
@@ -202,11 +218,13 @@ Check unbiased_after_shift(Shift shift, const Weigh& weigh) {
 void add_torus(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-torus/unbiased",
-        .statement = "Torus weights of 4 independent samples integrate e^(x+y) without bias, though it is not periodic.",
+        .statement =
+            "Torus weights of 4 independent samples integrate e^(x+y) without bias, though it is not periodic.",
         .source = "ours, estimators/reweighting_2d.h; the thesis, A.2, calls the periodic scheme biased",
         .kind = Kind::mean,
         .check = unbiased(exp_sum, 4, voronoi_areas_periodic, 0.014),
-        .mutants = {{"clipped", "clipped cells called unbiased: bias -0.042", unbiased(exp_sum, 4, voronoi_areas, 0.014)},
+        .mutants = {{"clipped", "clipped cells called unbiased: bias -0.042",
+                     unbiased(exp_sum, 4, voronoi_areas, 0.014)},
                     {"copies-missing-on-the-left", "periodic copies are added on three sides only",
                      unbiased(exp_sum, 4, copies_missing_on_the_left, 0.014)}},
     });
@@ -216,7 +234,7 @@ void add_torus(Catalogue& catalogue) {
         .source = "ours, estimators/reweighting_2d.h",
         .kind = Kind::mean,
         .check = mean_cell_is_one_in_n(voronoi_areas_periodic),
-        .mutants = {{"clipped", "clipped cells", mean_cell_is_one_in_n(voronoi_areas)},
+        .mutants = {{"clipped", "clipped cells: bias -0.032", mean_cell_is_one_in_n(voronoi_areas)},
                     {"diagonal-copies-missing", "periodic copies only to the left, right, below and above",
                      mean_cell_is_one_in_n(diagonal_copies_missing)}},
     });
@@ -226,10 +244,12 @@ void add_torus(Catalogue& catalogue) {
                      "without bias.",
         .source = "ours, estimators/reweighting_2d.h",
         .kind = Kind::mean,
-        .check = unbiased(tented, 4, voronoi_areas_periodic, 0.014),
-        .mutants = {{"without-factor", "the tent without its factor 2 covers a quarter of the square",
-                     unbiased(half_tented, 4, voronoi_areas_periodic, 0.014)},
-                    {"clipped", "clipped cells under the tent", unbiased(tented, 4, voronoi_areas, 0.014)}},
+        .check = unbiased(tented, 4, voronoi_areas_periodic, 0.04),
+        .mutants = {{"without-factor", "the tent without its factor 2 covers a quarter of the square: bias -1.27",
+                     unbiased(half_tented, 4, voronoi_areas_periodic, 0.04)},
+                    {"sine", "a smooth fold in place of the tent, without its Jacobian: bias +0.122",
+                     unbiased(sine_tented, 4, voronoi_areas_periodic, 0.04)},
+                    {"clipped", "clipped cells under the tent: bias +0.31", unbiased(tented, 4, voronoi_areas, 0.04)}},
     });
     catalogue.add({
         .id = "reweighting/2d-shifted-torus/unbiased",
@@ -242,7 +262,8 @@ void add_torus(Catalogue& catalogue) {
                      unbiased_after_shift([](Samples x, RandomStream&) { return x; }, voronoi_areas_periodic)},
                     {"one-axis", "the points are shifted along the first axis only",
                      unbiased_after_shift(first_axis_shifted, voronoi_areas_periodic)},
-                    {"clipped", "clipped cells after the shift", unbiased_after_shift(random_shift<2>, voronoi_areas)}},
+                    {"clipped", "clipped cells after the shift: bias -0.058",
+                     unbiased_after_shift(random_shift<2>, voronoi_areas)}},
     });
 }
 
@@ -250,6 +271,10 @@ void add_torus(Catalogue& catalogue) {
 
 const CellWeightTable2D& g_of_2() {
     static const CellWeightTable2D g(2, 17);
+    return g;
+}
+const CellWeightTable2D& g_of_3() {
+    static const CellWeightTable2D g(3, 17);
     return g;
 }
 const CellWeightTable2D& g_of_4() {
@@ -275,11 +300,12 @@ double integral_by_midpoints(const Function<2>& f) {
 
 Check g_integrates_to_1(double exponent_of_4) {
     return [=](const Run&) {
-        const BallProbability ball = [=](const Point<2>& y, double radius) {
-            return -std::expm1(exponent_of_4 / 3 * std::log1p(-uniform_ball(y, radius)));
-        };
+        const BallMeasure ball{[=](const Point<2>& y, double radius) {
+            return -std::expm1(exponent_of_4 / 3 * std::log1p(-disk_rectangle_area(y, radius)));
+        }};
         const double integral = integral_by_midpoints(CellWeightTable2D(4, ball, 13));
-        return within_bound({{fmt::format("the integral of g is {}", integral), std::abs(integral - 1)}}, 1e-4, "absolute");
+        return within_bound({{fmt::format("the integral of g is {}", integral), std::abs(integral - 1)}}, 1e-4,
+                            "absolute");
     };
 }
 
@@ -304,36 +330,46 @@ std::vector<double> normalised(std::span<const Point<2>> x) {
 
 Check reweighted_unbiased(const Weigh& weigh) {
     return [=](const Run& run) {
-        // weights ≥ 0 with a sum of at most 1/min g = 1/0.4532…; epsilon is the table's error over min g, times the integral
-        const MeanClaim claim{
-            .reference = exp_sum_integral, .delta = 0.0085, .epsilon = 1e-3, .bounds = {0, exp_sum_bounds.high / 0.45}};
+        // weights ≥ 0 with a sum of at most 1/min g = 1/0.4532…; epsilon is the table's error over min g, times the
+        // integral
+        const MeanClaim claim{.reference = exp_sum_integral,
+                              .delta = 0.0085,
+                              .epsilon = 1.2e-3,
+                              .bounds = {0, exp_sum_bounds.high / 0.45}};
         return mean_is(weighted(exp_sum, 2, weigh), claim, run);
     };
 }
 
 // p = 3/2 on the left half of the square, 1/2 on the right.
-double two_piece_pdf(const Point<2>& x) { return x[0] < 0.5 ? 1.5 : 0.5; }
-double two_piece_ball(const Point<2>& centre, double radius) {
-    return 1.5 * disk_rectangle_area(centre, radius, {{0, 0}, {0.5, 1}}) +
-           0.5 * disk_rectangle_area(centre, radius, {{0.5, 0}, {1, 1}});
+double two_piece_pdf(const Point<2>& x) {
+    return x[0] < 0.5 ? 1.5 : 0.5;
 }
-Point<2> two_piece_sample(const Point<2>& u) { return {u[0] < 0.75 ? u[0] / 1.5 : 2 * u[0] - 1, u[1]}; }
+BallMeasure two_piece_ball() {
+    return {[](const Point<2>& centre, double radius) {
+                return 1.5 * disk_rectangle_area(centre, radius, {{0, 0}, {0.5, 1}}) +
+                       0.5 * disk_rectangle_area(centre, radius, {{0.5, 0}, {1, 1}});
+            },
+            {{{0, 0.5, 1}, {0, 1}}}};
+}
+Point<2> two_piece_sample(const Point<2>& u) {
+    return {u[0] < 0.75 ? u[0] / 1.5 : 2 * u[0] - 1, u[1]};
+}
 
 const CellWeightTable2D& two_piece_g() {
-    static const CellWeightTable2D g(2, two_piece_ball, 17);
+    static const CellWeightTable2D g(3, two_piece_ball(), 13);
     return g;
 }
 
 Check density_unbiased(const Function<2>& g, const Function<2>& pdf, double largest_weight) {
     return [=](const Run& run) {
         const auto draw = [=](RandomStream& random) {
-            Samples x = independent_points<2>(2, random);
+            Samples x = independent_points<2>(3, random);
             for (Point<2>& u : x) u = two_piece_sample(u);
             return weighted_sum(exp_sum, x, reweighted_weights_2d(x, g, pdf)).value;
         };
         const MeanClaim claim{.reference = exp_sum_integral,
                               .delta = 0.05,
-                              .epsilon = 3e-3,
+                              .epsilon = 1.5e-3,
                               .bounds = {0, exp_sum_bounds.high * largest_weight}};
         return mean_is(draw, claim, run);
     };
@@ -354,8 +390,7 @@ void add_expected_cells(Catalogue& catalogue) {
         .source = "thesis, eq. 4.5, carried to two dimensions in estimators/cell_weight_2d.h",
         .kind = Kind::mean,
         .check = clipped_mean_is(g_of_4()),
-        .mutants = {{"unbiased", "the consistent estimator called unbiased: 0.042 too high", clipped_mean_is(one)},
-                    {"product", "g as the product of one-dimensional ones", clipped_mean_is(product_of_1d(4))}},
+        .mutants = {{"unbiased", "the consistent estimator called unbiased: 0.042 too high", clipped_mean_is(one)}},
     });
     catalogue.add({
         .id = "reweighting/2d-general-g/unbiased",
@@ -370,12 +405,14 @@ void add_expected_cells(Catalogue& catalogue) {
     });
     catalogue.add({
         .id = "reweighting/2d-general-g/unbiased-density",
-        .statement = "Clipped Voronoi weights over g p integrate e^(x+y) without bias from 2 samples of a density p that "
-                     "is not uniform.",
+        .statement =
+            "Clipped Voronoi weights over g p integrate e^(x+y) without bias from 3 samples of a density p that "
+            "is not uniform.",
         .source = "ours, estimators/cell_weight_2d.h",
         .kind = Kind::mean,
-        .check = density_unbiased(two_piece_g(), two_piece_pdf, 4),
-        .mutants = {{"uniform-g", "g of uniform samples", density_unbiased(g_of_2(), two_piece_pdf, 4.5)},
+        .check = density_unbiased(two_piece_g(), two_piece_pdf, 7),
+        .mutants = {{"uniform-g", "g of uniform samples: 4.7 % too bright",
+                     density_unbiased(g_of_3(), two_piece_pdf, 7)},
                     {"without-p", "not divided by the density", density_unbiased(two_piece_g(), one, 4)}},
     });
 }
@@ -404,13 +441,16 @@ std::vector<double> equal_weights(std::span<const Point<2>> samples) {
     return std::vector<double>(samples.size(), 1 / static_cast<double>(samples.size()));
 }
 
-double plane(const Point<2>& x) { return x[0] + 2 * x[1]; }
+double plane(const Point<2>& x) {
+    return x[0] + 2 * x[1];
+}
 double wave(const Point<2>& x) {
     return 1 + (std::cos(2 * std::numbers::pi * x[0]) + std::sin(2 * std::numbers::pi * x[1])) / 2;
 }
 
 void add_rates(Catalogue& catalogue) {
-    const std::vector<std::uint64_t> small{16, 32, 64, 128, 256}, middle{64, 128, 256, 512}, large{256, 512, 1024, 2048};
+    const std::vector<std::uint64_t> small{16, 32, 64, 128, 256}, middle{64, 128, 256, 512},
+        large{256, 512, 1024, 2048};
     const RateSubject torus{"torus", "e^(x+y)", exp_sum, exp_sum_integral};
     catalogue.add({
         .id = "reweighting/2d-torus/rate",
@@ -462,7 +502,8 @@ double quarter_by_arc_sines(double w, double h, double r) {
     h = std::min(h, r);
     if (w * w + h * h <= r * r) return w * h;
     return (w * std::sqrt(r * r - w * w) + h * std::sqrt(r * r - h * h) +
-            r * r * (std::asin(w / r) + std::asin(h / r) - std::numbers::pi / 2)) / 2;
+            r * r * (std::asin(w / r) + std::asin(h / r) - std::numbers::pi / 2)) /
+           2;
 }
 double disk_area_by_arc_sines(const Point<2>& c, double r, const Rectangle& box) {
     double sum = 0;
@@ -478,14 +519,14 @@ Check disk_area_is_stable(double (*area)(const Point<2>&, double, const Rectangl
             const double truth = disk_rectangle_area_by_chords(c.centre, c.radius, c.rectangle);
             cases.push_back({c.name, ulp_error(area(c.centre, c.radius, c.rectangle), truth), c.radius});
         }
-        return stable(cases, 16, "area of a disk in a rectangle", "radius");
+        return stable(cases, 8, "area of a disk in a rectangle", "radius");
     };
 }
 
 void add_disk(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-disk/stable",
-        .statement = "The area of a disk in a rectangle that holds its centre is right within 16 ulp.",
+        .statement = "The area of a disk in a rectangle that holds its centre is right within 8 ulp.",
         .source = "ours, analytic/disk_rectangle.cpp",
         .kind = Kind::bounded,
         .check = disk_area_is_stable(disk_rectangle_area),
