@@ -4,7 +4,13 @@ namespace plumb {
 
 Catalogue shipped_catalogue() {
     Catalogue catalogue;
+    add_error_bar_claims(catalogue);
+    add_point_rate_claims(catalogue);
+    add_point_set_claims(catalogue);
+    add_point_structure_claims(catalogue);
+    add_point_variance_claims(catalogue);
     add_reweighting_2d_claims(catalogue);
+    add_star_discrepancy_claims(catalogue);
     return catalogue;
 }
 
