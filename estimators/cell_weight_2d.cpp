@@ -79,7 +79,7 @@ double over_triangle(std::uint64_t n, const Point<2>& x, int axis, double side, 
     if (distance == 0) return 0;
     std::vector<double> breaks{0, 1};
     add_inside(breaks, foot, 1);
-    for (double step = distance; step < 1; step *= 4) {  // rays turn fast near the foot of a short perpendicular
+    for (double step = std::max(distance, 0x1p-30); step < 1; step *= 4) {  // rays turn fast near the foot
         add_inside(breaks, foot - step, 1);
         add_inside(breaks, foot + step, 1);
     }
@@ -100,6 +100,8 @@ BallMeasure uniform_ball() {
 
 double cell_weight_2d(std::uint64_t n, const Point<2>& x, const BallMeasure& ball, int order) {
     if (n == 0) throw Error("the expected cell of one of 0 samples does not exist; accepted are 1 and more");
+    if (!(0 <= x[0] && x[0] <= 1 && 0 <= x[1] && x[1] <= 1))
+        throw Error(fmt::format("g at ({}, {}): accepted are points of the unit square", x[0], x[1]));
     const Rule rule = smoothed_gauss_legendre(order);
     double sum = 0;
     for (const int axis : {0, 1})

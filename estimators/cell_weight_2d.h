@@ -21,7 +21,7 @@ namespace plumb {
 struct BallMeasure {
     /// P(B(centre, radius) ∩ Ω); the centre lies in the square.
     std::function<double(const Point<2>& centre, double radius)> probability;
-    /// The lines x = c and y = c on which the density jumps, the sides among them: quadratures split there.
+    /// The lines x = c and y = c on which the density jumps, from 0 to 1 in order: quadratures and tables split there.
     std::array<std::vector<double>, 2> jumps{{{0, 1}, {0, 1}}};
 };
 
@@ -29,7 +29,8 @@ struct BallMeasure {
 BallMeasure uniform_ball();
 
 /// g(x) by quadrature of the given order: along rays from x to the boundary, split where the ball along the ray touches
-/// a line of jumps or reaches a crossing of two, by Gauss and Legendre's rule.
+/// a line of jumps or reaches a crossing of two, by Gauss and Legendre's rule. Throws Error for n = 0 and for x
+/// outside.
 double cell_weight_2d(std::uint64_t n, const Point<2>& x, const BallMeasure& ball, int order = 12);
 
 /// g tabulated, by Chebyshev interpolation between the lines on which the density jumps. For uniform samples the table

@@ -49,8 +49,11 @@ TEST(CellWeight2D, IsRightAwayFromTheBoundary) {
     EXPECT_NEAR(cell_weight_2d(400, {0.5, 0.5}, uniform_ball(), 20), 1, 1e-12);
 }
 
-TEST(CellWeight2D, OfNoSampleIsAnError) {
+TEST(CellWeight2D, OfNoSampleOrOutsideTheSquareIsAnError) {
     EXPECT_THROW((void)cell_weight_2d(0, {0, 0}, uniform_ball()), Error);
+    EXPECT_THROW((void)cell_weight_2d(2, {0, 1.5}, uniform_ball()), Error);
+    EXPECT_THROW((void)cell_weight_2d(2, {std::nan(""), 0}, uniform_ball()), Error);
+    EXPECT_THROW((void)CellWeightTable2D(2, 5)({0.5, std::nan("")}), Error);
 }
 
 TEST(CellWeightTable2D, StaysWithinItsError) {

@@ -55,6 +55,7 @@ double largest(Vector a) {
 
 /// Inserts the points along a space-filling curve and returns the vertex of each.
 std::vector<Delaunay::Vertex_handle> insert(Delaunay& triangulation, const std::vector<Position>& points) {
+    if (points.empty()) return {};
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto position = CGAL::make_property_map(points);
