@@ -8,6 +8,7 @@ std::string to_string(Smoothness smoothness) {
     switch (smoothness) {
         case Smoothness::analytic: return "analytic";
         case Smoothness::kink: return "kink";
+        case Smoothness::root: return "root";
         case Smoothness::jump: return "jump";
         case Smoothness::singular: return "singular";
     }

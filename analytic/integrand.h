@@ -17,25 +17,27 @@ namespace plumb {
 enum class Smoothness {
     analytic,  ///< all derivatives continuous
     kink,      ///< continuous, first derivative jumps
-    jump,      ///< bounded, jumps
+    root,      ///< continuous, with a vertical tangent, like √x at 0
+    jump,      ///< bounded, jumps, or has no limit on the boundary
     singular,  ///< unbounded
 };
 std::string to_string(Smoothness smoothness);
 
-/// A test problem that carries its exact answers. Strings are decimals with at least 40 correct digits; each is a
-/// closed form, derived in the integrand's `derivation` and checked by two independent quadratures (integrands_test).
+/// A test problem that carries its exact answers, as decimals of 55 places: values of closed forms, derived in
+/// `derivation` and held to two independent quadratures by the claims integrand/*. `value` is defined on the closed
+/// cube, so its boundary values are value({0}), value({1}); a singular one is infinite there.
 template <int D>
 struct Integrand {
     std::string id;       ///< e.g. "exp", "genz/oscillatory-1"
     std::string formula;  ///< as a person writes it
     std::function<double(const Point<D>&)> value;
-    std::string integral;  ///< over [0,1]^D
-    std::string variance;  ///< of f(U), U uniform; "inf" where infinite
-    Smoothness smoothness = Smoothness::analytic;           ///< inside the cube
-    Smoothness periodic_smoothness = Smoothness::jump;      ///< of the periodic extension (for torus methods)
-    Interval bounds{};                                      ///< of the values, where finite
-    std::string source;      ///< where the integrand comes from
-    std::string derivation;  ///< how integral and variance were derived, and how checked
+    std::string integral;                               ///< over [0,1]^D
+    std::string variance;                               ///< of f(U), U uniform; "inf" where infinite
+    Smoothness smoothness = Smoothness::analytic;       ///< inside the cube
+    Smoothness periodic_smoothness = Smoothness::jump;  ///< of the periodic extension (for torus methods)
+    Interval bounds{};                                  ///< of the values, where finite
+    std::string source;                                 ///< where the integrand comes from
+    std::string derivation;                             ///< how ∫ f and ∫ f² were derived, and how checked
 
     double operator()(const Point<D>& x) const { return value(x); }
     [[nodiscard]] double integral_value() const { return std::stod(integral); }

@@ -21,20 +21,24 @@ bool knows_integrand(const std::string& id) {
 }
 
 template <int D>
-Series measure(const std::string& estimator_id, const Integrand<D>& integrand, const ConvergeOptions& options, const Run& run) {
+Series measure(const std::string& estimator_id, const Integrand<D>& integrand, const ConvergeOptions& options,
+               const Run& run) {
     const Estimator<D>& estimator = find_estimator<D>(estimator_id);
     const ConvergenceSetting setting{.estimator = estimator.id,
                                      .integrand = integrand.id,
                                      .truth = integrand.integral_value(),
                                      .n = options.n,
                                      .replicates = options.replicates};
-    const Replicate replicate = [&](std::uint64_t n, RandomStream& random) { return estimator.run(integrand.value, n, random); };
+    const Replicate replicate = [&](std::uint64_t n, RandomStream& random) {
+        return estimator.run(integrand.value, n, random);
+    };
     Series series = measure_convergence(replicate, setting, run.part(estimator.id + " on " + integrand.id));
     if (estimator.expected_slope) series.expected_slope = estimator.expected_slope(integrand);
     return series;
 }
 
-Series measure_any(const std::string& estimator, const std::string& integrand, const ConvergeOptions& options, const Run& run) {
+Series measure_any(const std::string& estimator, const std::string& integrand, const ConvergeOptions& options,
+                   const Run& run) {
     if (knows_integrand<1>(integrand)) return measure<1>(estimator, find_integrand<1>(integrand), options, run);
     if (knows_integrand<2>(integrand)) return measure<2>(estimator, find_integrand<2>(integrand), options, run);
     std::vector<std::string> known;

@@ -1,10 +1,10 @@
 #include "analytic/integrand.h"
 #include "cli/commands.h"
+#include "cli/run_info.h"
 #include "core/error.h"
 #include "estimators/estimator.h"
 #include "reports/json.h"
 #include "reports/table.h"
-#include "cli/run_info.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

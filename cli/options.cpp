@@ -33,14 +33,17 @@ const CLI::Validator probability(
 
 void add_seed_and_threads(CLI::App* verb, std::optional<std::uint64_t>& seed, int& threads) {
     verb->add_option("--seed", seed, "the run's random seed; a new one when not given, recorded either way");
-    verb->add_option("--threads", threads, "worker threads; the results do not depend on them")->check(CLI::Range(1, 4096));
+    verb->add_option("--threads", threads, "worker threads; the results do not depend on them")
+        ->check(CLI::Range(1, 4096));
 }
 
 void add_verify(CLI::App& app, VerifyOptions& options) {
     CLI::App* verb = app.add_subcommand("verify", "Judge claims and their mutants; write a report");
     verb->add_option("patterns", options.patterns, "claims to judge, e.g. 'reweighting/*'; all when none is given");
     verb->add_flag("--full", options.full, "the full size of every claim (about 20 times the work)");
-    verb->add_option("--alpha", options.alpha, "false-alarm budget of the whole run")->check(probability)->capture_default_str();
+    verb->add_option("--alpha", options.alpha, "false-alarm budget of the whole run")
+        ->check(probability)
+        ->capture_default_str();
     verb->add_option_function<std::string>(
             "--time-limit", [&](const std::string& text) { options.time_limit = parse_duration(text); },
             "stop drawing after this long, e.g. 60s: what is open then is undecided")
@@ -64,7 +67,8 @@ void add_list(CLI::App& app, ListOptions& options) {
 
 void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) {
     CLI::App* verb = app.add_subcommand("converge", "Measure error against samples, evaluations and seconds");
-    verb->add_option("estimators", options.estimators, "e.g. independent torus-tent; see plumb list estimators")->required();
+    verb->add_option("estimators", options.estimators, "e.g. independent torus-tent; see plumb list estimators")
+        ->required();
     verb->add_option("--on", options.integrands, "integrands, e.g. exp; see plumb list integrands")->required();
     verb->add_option("--n", counts, "sample counts: first..last (doubling) or a list a,b,c")
         ->check(checked(parse_sample_counts))
@@ -112,15 +116,19 @@ std::vector<std::uint64_t> parse_sample_counts(const std::string& text) {
     const auto number = [&](std::string_view part) {
         std::uint64_t value = 0;
         const auto [end, failure] = std::from_chars(part.data(), part.data() + part.size(), value);
-        if (failure != std::errc() || end != part.data() + part.size() || value == 0 || value > (std::uint64_t{1} << 32))
-            throw Error(fmt::format("'{}' is not a sample count between 1 and 2^32, in '{}'; accepted: 16..65536 or 16,100,1000",
-                                    part, text));
+        if (failure != std::errc() || end != part.data() + part.size() || value == 0 ||
+            value > (std::uint64_t{1} << 32))
+            throw Error(fmt::format(
+                "'{}' is not a sample count between 1 and 2^32, in '{}'; accepted: 16..65536 or 16,100,1000", part,
+                text));
         return value;
     };
     std::vector<std::uint64_t> counts;
     if (const std::size_t dots = text.find(".."); dots != std::string::npos) {
-        const std::uint64_t first = number(std::string_view(text).substr(0, dots)), last = number(std::string_view(text).substr(dots + 2));
-        if (last < first) throw Error(fmt::format("'{}' runs backwards; accepted: first..last with first ≤ last", text));
+        const std::uint64_t first = number(std::string_view(text).substr(0, dots)),
+                            last = number(std::string_view(text).substr(dots + 2));
+        if (last < first)
+            throw Error(fmt::format("'{}' runs backwards; accepted: first..last with first ≤ last", text));
         for (std::uint64_t n = first; n <= last; n *= 2) counts.push_back(n);
         return counts;
     }

@@ -14,8 +14,8 @@ struct VerifyOptions {
     bool full = false;
     double alpha = 1e-4;
     std::optional<std::chrono::duration<double>> time_limit;
-    std::optional<std::uint64_t> seed;  ///< empty: a new one
-    int threads = 0;                    ///< 0: as many as the hardware has
+    std::optional<std::uint64_t> seed;                                       ///< empty: a new one
+    int threads = 0;                                                         ///< 0: as many as the hardware has
     std::string json, report = "out/report.html", store = "out/results.db";  ///< json: empty for none
 };
 

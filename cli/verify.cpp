@@ -2,8 +2,8 @@
 
 #include "cli/commands.h"
 #include "cli/run_info.h"
-#include "reports/html.h"
 #include "reports/file.h"
+#include "reports/html.h"
 #include "reports/json.h"
 #include "reports/store.h"
 #include "reports/table.h"
@@ -19,10 +19,12 @@ Results to_results(RunInfo run, const Catalogue& catalogue, std::vector<Judged> 
         const Claim& claim = *one.claim;
         if (one.mutant) {
             const bool killed = one.verdict.outcome == Outcome::refuted;
-            results.mutants.push_back({one.id(), claim.id, one.mutant->defect, std::move(one.verdict), killed, one.seconds});
+            results.mutants.push_back(
+                {one.id(), claim.id, one.mutant->defect, std::move(one.verdict), killed, one.seconds});
         } else {
             const double share = run.alpha * catalogue.share(claim, size);
-            results.claims.push_back({claim.id, claim.statement, claim.source, claim.kind, std::move(one.verdict), share, one.seconds, claim.no_mutant});
+            results.claims.push_back({claim.id, claim.statement, claim.source, claim.kind, std::move(one.verdict),
+                                      share, one.seconds, claim.no_mutant});
         }
     }
     for (const Erratum& erratum : catalogue.errata())
@@ -36,7 +38,8 @@ int exit_code(const Results& results) {
         return std::ranges::any_of(results.claims, [&](const ClaimResult& c) { return c.verdict.outcome == outcome; });
     };
     const auto mutants = [&](Outcome outcome) {
-        return std::ranges::any_of(results.mutants, [&](const MutantResult& m) { return m.verdict.outcome == outcome; });
+        return std::ranges::any_of(results.mutants,
+                                   [&](const MutantResult& m) { return m.verdict.outcome == outcome; });
     };
     if (claims(Outcome::refuted) || mutants(Outcome::holds)) return 1;
     if (claims(Outcome::undecided) || mutants(Outcome::undecided)) return 3;
@@ -74,8 +77,8 @@ int verify(const VerifyOptions& options) {
     write_report(results, {}, options.report);
     const std::int64_t number = store.append(results);
     fmt::print("{}", verdict_table(results, terminal_style()));
-    fmt::print("run {} in {}, seed {}, {:.1f} s; report: {}\n", number, options.store, results.run.seed, results.run.seconds,
-               options.report);
+    fmt::print("run {} in {}, seed {}, {:.1f} s; report: {}\n", number, options.store, results.run.seed,
+               results.run.seconds, options.report);
     return exit_code(results);
 }
 

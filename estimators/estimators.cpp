@@ -1,5 +1,6 @@
 // The lists of all estimators, joined from those of each family.
 #include "estimators/estimator.h"
+#include "estimators/importance_estimators.h"
 #include "estimators/point_set_estimators.h"
 #include "estimators/reweighting_estimators_2d.h"
 
@@ -18,6 +19,7 @@ std::vector<T> joined(std::initializer_list<std::vector<T>> lists) {
 const std::vector<Estimator<1>>& estimators_1d() {
     static const auto all = joined({
         point_set_estimators_1d(),
+        importance_estimators_1d(),
     });
     return all;
 }
@@ -25,6 +27,7 @@ const std::vector<Estimator<1>>& estimators_1d() {
 const std::vector<Estimator<2>>& estimators_2d() {
     static const auto all = joined({
         point_set_estimators_2d(),
+        importance_estimators_2d(),
         reweighting_estimators_2d(),
     });
     return all;

@@ -25,6 +25,7 @@ std::optional<Interval> stratified_slope(const Integrand<D>& f) {
         case Smoothness::analytic:
         case Smoothness::kink: return exponent(-1 - 2.0 / D);
         case Smoothness::jump: return exponent(-1 - 1.0 / D);
+        case Smoothness::root:
         case Smoothness::singular: break;
     }
     return {};
@@ -37,6 +38,7 @@ std::optional<Interval> latin_hypercube_slope(const Integrand<2>& f) {
         case Smoothness::analytic:
         case Smoothness::kink: return Interval{-3, -1};
         case Smoothness::jump: return Interval{-2, -1};
+        case Smoothness::root:
         case Smoothness::singular: break;
     }
     return {};
@@ -52,6 +54,7 @@ std::optional<Interval> multi_jittered_slope(const Integrand<2>& f) {
         case Smoothness::analytic:
         case Smoothness::kink: return Interval{-3, -1.5};
         case Smoothness::jump: return Interval{-2, -1.5};
+        case Smoothness::root:
         case Smoothness::singular: break;
     }
     return {};
@@ -83,6 +86,7 @@ std::optional<Interval> owen_slope(const Integrand<D>& f) {
         case Smoothness::analytic: return exponent(-3);
         case Smoothness::kink: return Interval{-3, -2.5};
         case Smoothness::jump: return Interval{-2, -1.5};
+        case Smoothness::root:
         case Smoothness::singular: break;
     }
     return {};

@@ -1,6 +1,7 @@
 #include "verification/betting.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "verification/distributions.h"
@@ -13,19 +14,9 @@ constexpr std::uint64_t warm_up = 32;  // without bounds, no bet before the vari
 // The guard on skewness is never laxer than at this level: at 1e-2 it would let a fifth of x^-1/2 end in a verdict.
 constexpr double guard_level = 1e-6;
 
-// log of the product of max(1 + lambda (x − m), floor) over the block, with a logarithm every few factors only.
-double log_growth(std::span<const double> block, double lambda, double m) {
-    constexpr std::size_t stride = 16;
-    constexpr double floor = 0x1p-40;  // 16 floors multiply to no underflow
-    double log_product = 0;
-    for (std::size_t begin = 0; begin < block.size(); begin += stride) {
-        const std::size_t end = std::min(begin + stride, block.size());
-        double product = 1;
-        for (std::size_t i = begin; i < end; ++i) product *= std::max(1 + lambda * (block[i] - m), floor);
-        log_product += std::log(product);
-    }
-    return log_product;
-}
+// log-wealth against ±delta grows by c − c²/2 and fluctuates by c when the bet is c delta/variance. The fastest growth,
+// c = 1, leaves a true claim undecided at the cap 10 times as often as 3/4, which costs 6 % more samples.
+constexpr double holding_scale = 0.75;
 
 Moments moments_of(std::span<const double> block) {
     Moments moments;
@@ -39,11 +30,11 @@ MeanTest::MeanTest(const Setting& setting)
     : setting_(setting),
       exact_below_(std::isfinite(setting.bounds.low)),
       exact_above_(std::isfinite(setting.bounds.high)),
-      against_large_{setting.resolved.high, -1},
-      against_small_{setting.resolved.low, +1},
+      against_large_{setting.resolved.high, -holding_scale},
+      against_small_{setting.resolved.low, +holding_scale},
       z_guard_(normal_upper_quantile(std::min(setting.alpha, guard_level) / 2)) {
     for (int j = 0; j < scales; ++j) {
-        const double scale = std::ldexp(1.0, j - 1);
+        const double scale = j + 1 < scales ? std::ldexp(1.0, j - 1) : std::numeric_limits<double>::infinity();
         if (std::isfinite(setting.allowed.high)) against_claim_.push_back({setting.allowed.high, scale});
         if (std::isfinite(setting.allowed.low)) against_claim_.push_back({setting.allowed.low, -scale});
     }
@@ -65,28 +56,56 @@ double MeanTest::variance_guess() const {
 
 double MeanTest::lambda(const Bet& bet, double variance) const {
     if (!(variance > 0)) return 0;  // zero sample variance decides nothing
-    // The worst value for this bet lies at the bound that it bets away from.
-    const bool bounded = bet.scale > 0 ? exact_below_ : exact_above_;
-    const double reach = bet.scale > 0 ? bet.m - setting_.bounds.low : setting_.bounds.high - bet.m;
-    const double cap = bounded ? (reach > 0 ? 0.5 / reach : 0.0) : 0.25 / std::sqrt(variance);
+    // The worst value for this bet lies at the bound that it bets away from; where that is unknown, at the worst so
+    // far.
+    const bool up = bet.scale > 0;
+    const double worst =
+        is_exact(bet) ? (up ? setting_.bounds.low : setting_.bounds.high) : (up ? seen_.low : seen_.high);
+    const double reach = std::max(up ? bet.m - worst : worst - bet.m, 0.0);
+    const double cap = std::min(0.5 / reach, 0.25 / std::sqrt(variance));
     return std::copysign(std::min(std::abs(bet.scale) * setting_.delta / variance, cap), bet.scale);
 }
 
-MeanTest::Decision MeanTest::add(std::span<const double> block) {
-    const double variance = variance_guess();
-    const auto play = [&](Bet& bet) { bet.log_wealth += log_growth(block, lambda(bet, variance), bet.m); };
-    for (Bet& bet : against_claim_) play(bet);
+// All bets at once, sample by sample: independent products, which the compiler turns into vectors.
+void MeanTest::play(std::span<const double> block) {
+    constexpr std::size_t lanes = 2 * scales + 4;  // the mixture, the two bets for `holds`, padding
+    constexpr std::size_t stride = 16;             // factors between two logarithms
+    constexpr double floor = 0x1p-6;  // reached without bounds only, by a value farther out than all before it
+    std::array<double, lanes> slope{}, intercept{};
+    intercept.fill(1);
+    std::vector<Bet*> bets;
+    for (Bet& bet : against_claim_) bets.push_back(&bet);
     for (Bet* bet : {&against_large_, &against_small_})
-        if (std::isfinite(bet->m)) play(*bet);
+        if (std::isfinite(bet->m)) bets.push_back(bet);
+    const double variance = variance_guess();
+    for (std::size_t j = 0; j < bets.size(); ++j) {
+        slope[j] = lambda(*bets[j], variance);
+        intercept[j] = 1 - slope[j] * bets[j]->m;
+    }
+    for (std::size_t begin = 0; begin < block.size(); begin += stride) {
+        std::array<double, lanes> product;
+        product.fill(1);
+        for (const double x : block.subspan(begin, std::min(stride, block.size() - begin)))
+            for (std::size_t j = 0; j < lanes; ++j) product[j] *= std::max(intercept[j] + slope[j] * x, floor);
+        for (std::size_t j = 0; j < bets.size(); ++j) bets[j]->log_wealth += std::log(product[j]);
+    }
+}
+
+MeanTest::Decision MeanTest::add(std::span<const double> block) {
+    play(block);
     moments_.merge(moments_of(block));
+    const auto [least, most] = std::ranges::minmax(block);
+    seen_ = {std::min(seen_.low, least), std::max(seen_.high, most)};
 
     max_log_claim_ = std::max(max_log_claim_, log_evidence());
+    max_log_exact_ = std::max(max_log_exact_, log_evidence(true));
     max_log_large_ = std::max(max_log_large_, against_large_.log_wealth);
     max_log_small_ = std::max(max_log_small_, against_small_.log_wealth);
-    if (moments_.count() < setting_.min_samples || !tails_allow_a_decision()) return Decision::none;
-    if (max_log_claim_ >= -std::log(setting_.alpha)) return Decision::refuted;
+    if (moments_.count() < setting_.min_samples) return Decision::none;
+    const bool calm = tails_allow_a_decision();
+    if ((calm ? max_log_claim_ : max_log_exact_) >= -std::log(setting_.alpha)) return Decision::refuted;
     const auto excluded = [&](const Bet& bet, double max_log) {
-        return std::isinf(bet.m) || max_log >= -std::log(setting_.beta);
+        return std::isinf(bet.m) || ((calm || is_exact(bet)) && max_log >= -std::log(setting_.beta));
     };
     if (excluded(against_large_, max_log_large_) && excluded(against_small_, max_log_small_)) return Decision::holds;
     return Decision::none;
@@ -96,11 +115,16 @@ double MeanTest::p_value() const {
     return std::exp(-max_log_claim_);
 }
 
-double MeanTest::log_evidence() const {
-    double top = against_claim_.front().log_wealth;
-    for (const Bet& bet : against_claim_) top = std::max(top, bet.log_wealth);
+// The bets left out count as lost: what remains of the mixture is a smaller supermartingale.
+double MeanTest::log_evidence(bool exact_bets_only) const {
+    const auto counts = [&](const Bet& bet) { return !exact_bets_only || is_exact(bet); };
+    double top = -std::numeric_limits<double>::infinity();
+    for (const Bet& bet : against_claim_)
+        if (counts(bet)) top = std::max(top, bet.log_wealth);
+    if (std::isinf(top)) return top;
     double sum = 0;
-    for (const Bet& bet : against_claim_) sum += std::exp(bet.log_wealth - top);
+    for (const Bet& bet : against_claim_)
+        if (counts(bet)) sum += std::exp(bet.log_wealth - top);
     return top + std::log(sum / static_cast<double>(against_claim_.size()));
 }
 

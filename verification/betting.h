@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -21,7 +22,8 @@ namespace plumb {
 ///
 /// An infinite end asks for nothing on its side. With bounds on the values, lambda is kept where every factor is at
 /// least 1/2, and the risks are exact. Without, a factor can only be kept positive by clamping: then decisions wait
-/// until the sample's skewness allows a normal approximation.
+/// until the sample's skewness allows a normal approximation. A bet that the mean is larger needs only a lower bound:
+/// for non-negative values "too large" and "not too small" are exact.
 class MeanTest {
 public:
     struct Setting {
@@ -44,14 +46,14 @@ public:
     [[nodiscard]] const Moments& moments() const { return moments_; }
     [[nodiscard]] double p_value() const;  ///< 1/max of the e-process against the claim, valid at any stop
     /// Logarithm of the e-process against the claim as it stands: its expectation under the claim is at most 1.
-    [[nodiscard]] double log_evidence() const;
+    [[nodiscard]] double log_evidence() const { return log_evidence(false); }
     [[nodiscard]] bool exact() const { return exact_below_ && exact_above_; }
-    /// Whether the guard on skewness lets an asymptotic decision pass (always true with bounds).
+    /// Whether the guard on skewness lets decisions pass that are not exact.
     [[nodiscard]] bool tails_allow_a_decision() const;
     /// A 1 − beta confidence sequence for the mean (normal mixture, asymptotic), for the report.
     [[nodiscard]] Interval mean_interval() const;
 
-    static constexpr int scales = 7;  ///< lambda = 2^j delta/variance, j = −1 … 5
+    static constexpr int scales = 8;  ///< lambda = 2^j delta/variance, j = −1 … 5, and as large as is safe
 
 private:
     struct Bet {
@@ -59,15 +61,19 @@ private:
         double scale;  ///< lambda in units of delta/variance, with its sign
         double log_wealth = 0;
     };
+    [[nodiscard]] bool is_exact(const Bet& bet) const { return bet.scale > 0 ? exact_below_ : exact_above_; }
+    [[nodiscard]] double log_evidence(bool exact_bets_only) const;
     [[nodiscard]] double variance_guess() const;
+    void play(std::span<const double> block);
     [[nodiscard]] double lambda(const Bet& bet, double variance) const;
 
     Setting setting_;
     bool exact_below_, exact_above_;
     Moments moments_;
+    Interval seen_{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     std::vector<Bet> against_claim_;
     Bet against_large_, against_small_;
-    double max_log_claim_ = 0, max_log_large_ = 0, max_log_small_ = 0;
+    double max_log_claim_ = 0, max_log_exact_ = 0, max_log_large_ = 0, max_log_small_ = 0;
     double z_guard_;
 };
 

@@ -51,8 +51,9 @@ Verdict cost_is(double counted, const Interval& claimed, std::string what) {
     Verdict verdict;
     verdict.outcome = claimed.contains(counted) ? Outcome::holds : Outcome::refuted;
     verdict.statistic = counted;
-    verdict.resolution = 0;
-    verdict.deviation = {counted, counted};
+    verdict.resolution = claimed.width() / 2;
+    const double off = counted - (claimed.low + claimed.high) / 2;
+    verdict.deviation = {off, off};
     verdict.reason = claimed.low == claimed.high
                          ? fmt::format("{:.6g} {}; claimed {:.6g}", counted, what, claimed.low)
                          : fmt::format("{:.6g} {}; claimed {:.6g} … {:.6g}", counted, what, claimed.low, claimed.high);

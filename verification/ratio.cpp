@@ -38,7 +38,8 @@ Verdict log_ratio_verdict(const LogRatio& ratio, const Interval& claimed, std::u
     Verdict verdict;
     verdict.samples = samples;
     verdict.statistic = std::exp(ratio.value);
-    verdict.deviation = sharp;
+    const double middle = (claimed.low + claimed.high) / 2;
+    verdict.deviation = {sharp.low - middle, sharp.high - middle};
     verdict.resolution = claimed.width() / 2;
     const double outside = std::max({std::log(claimed.low) - ratio.value, ratio.value - std::log(claimed.high), 0.0});
     verdict.p_value = normal_two_sided_tail(outside / ratio.standard_error);

@@ -7,13 +7,22 @@ namespace plumb {
 /// Every claim that Plumb makes of itself, in the order of the report: the closed catalogue.
 Catalogue shipped_catalogue();
 
-// One function a group, one group a file of this folder.
-void add_error_bar_claims(Catalogue& catalogue);
-void add_point_rate_claims(Catalogue& catalogue);
-void add_point_set_claims(Catalogue& catalogue);
-void add_point_structure_claims(Catalogue& catalogue);
-void add_point_variance_claims(Catalogue& catalogue);
-void add_reweighting_2d_claims(Catalogue& catalogue);
+// One function a file of this folder.
+void add_integrand_claims(Catalogue& catalogue);
 void add_star_discrepancy_claims(Catalogue& catalogue);
+void add_point_structure_claims(Catalogue& catalogue);
+void add_point_set_claims(Catalogue& catalogue);
+void add_point_variance_claims(Catalogue& catalogue);
+void add_point_rate_claims(Catalogue& catalogue);
+void add_error_bar_claims(Catalogue& catalogue);
+void add_reweighting_2d_claims(Catalogue& catalogue);
+void add_density_claims(Catalogue& catalogue);
+void add_exact_mis_claims(Catalogue& catalogue);
+void add_mis_claims(Catalogue& catalogue);
+void add_variance_reduction_claims(Catalogue& catalogue);
+void add_roulette_claims(Catalogue& catalogue);
+void add_debiasing_claims(Catalogue& catalogue);
+void add_forecast_claims(Catalogue& catalogue);
+void add_calibration_claims(Catalogue& catalogue);
 
 }  // namespace plumb

@@ -1,0 +1,32 @@
+// The same seed gives the same verdicts to the bit, whatever the number of threads.
+
+#include <gtest/gtest.h>
+
+#include "reports/json.h"
+#include "verification/runner.h"
+#include "verification/suites/suites.h"
+
+namespace plumb {
+namespace {
+
+std::string verdicts(int threads) {
+    const Catalogue catalogue = shipped_catalogue();
+    const RunSetting setting{
+        .seed = 20240229, .patterns = {"points/*", "debiasing/*"}, .threads = threads};
+    Results results;
+    for (Judged& one : judge(catalogue, setting, [](const Judged&, std::size_t, std::size_t) {})) {
+        for (Series& series : one.verdict.series)
+            for (ConvergencePoint& point : series.points) point.seconds = 0;
+        ClaimResult& result = results.claims.emplace_back();
+        result.id = one.id();
+        result.verdict = std::move(one.verdict);
+    }
+    return to_json(results);
+}
+
+TEST(Determinism, OneThreadAndTwoGiveTheSameVerdicts) {
+    EXPECT_EQ(verdicts(1), verdicts(2));
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,76 @@
+#include "cli/options.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+
+namespace plumb {
+namespace {
+
+template <class... Words>
+Options parse(Words... words) {
+    const std::array<const char*, sizeof...(words) + 1> argv = {"plumb", words...};
+    return parse_options(static_cast<int>(argv.size()), argv.data());
+}
+
+// Parses what must fail, and gives the one line on standard error.
+template <class... Words>
+std::string complaint(Words... words) {
+    testing::internal::CaptureStderr();
+    const Options options = parse(words...);
+    const std::string text = testing::internal::GetCapturedStderr();
+    EXPECT_TRUE(std::holds_alternative<Answered>(options) && std::get<Answered>(options).exit_code == 2);
+    EXPECT_EQ(std::ranges::count(text, '\n'), 1) << text;
+    return text;
+}
+
+TEST(Options, ReadAVerifyLine) {
+    const auto verify = std::get<VerifyOptions>(
+        parse("verify", "points/*", "--full", "--alpha", "1e-3", "--time-limit", "2m", "--seed", "7"));
+    EXPECT_EQ(verify.patterns, std::vector<std::string>{"points/*"});
+    EXPECT_TRUE(verify.full);
+    EXPECT_EQ(verify.alpha, 1e-3);
+    EXPECT_EQ(verify.time_limit->count(), 120);
+    EXPECT_EQ(verify.seed, 7u);
+}
+
+TEST(Options, ReadAConvergeLine) {
+    const auto converge =
+        std::get<ConvergeOptions>(parse("converge", "torus", "independent", "--on", "exp", "--n", "16..64"));
+    EXPECT_EQ(converge.estimators, (std::vector<std::string>{"torus", "independent"}));
+    EXPECT_EQ(converge.integrands, std::vector<std::string>{"exp"});
+    EXPECT_EQ(converge.n, (std::vector<std::uint64_t>{16, 32, 64}));
+}
+
+TEST(Options, NameTheNearestKnownWord) {
+    EXPECT_THAT(complaint("verfy"), testing::HasSubstr("did you mean 'verify'"));
+    EXPECT_THAT(complaint("verify", "--aplha", "0.1"), testing::HasSubstr("did you mean '--alpha'"));
+}
+
+TEST(Options, SayWhatAValueMayBe) {
+    EXPECT_THAT(complaint("verify", "--alpha", "2"), testing::HasSubstr("(0, 1)"));
+    EXPECT_THAT(complaint("verify", "--threads", "0"), testing::HasSubstr("--threads"));
+    EXPECT_THAT(complaint("verify", "--time-limit", "soon"), testing::HasSubstr("1.5m"));
+    EXPECT_THAT(complaint("converge", "torus", "--on", "exp", "--n", "64..16"), testing::HasSubstr("backwards"));
+    EXPECT_THAT(complaint(), testing::HasSubstr("subcommand"));
+}
+
+TEST(ParseSampleCounts, AcceptsRangesAndLists) {
+    EXPECT_EQ(parse_sample_counts("16..100"), (std::vector<std::uint64_t>{16, 32, 64}));
+    EXPECT_EQ(parse_sample_counts("100,10,10"), (std::vector<std::uint64_t>{10, 100}));
+    EXPECT_THROW(parse_sample_counts("0"), Error);
+    EXPECT_THROW(parse_sample_counts("1,,2"), Error);
+    EXPECT_THROW(parse_sample_counts("many"), Error);
+}
+
+TEST(ParseDuration, KnowsItsUnits) {
+    EXPECT_EQ(parse_duration("90").count(), 90);
+    EXPECT_EQ(parse_duration("1.5m").count(), 90);
+    EXPECT_EQ(parse_duration("1h").count(), 3600);
+    EXPECT_THROW(parse_duration("-1s"), Error);
+    EXPECT_THROW(parse_duration("1d"), Error);
+    EXPECT_THROW(parse_duration("nan"), Error);
+}
+
+}  // namespace
+}  // namespace plumb

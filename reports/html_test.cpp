@@ -1,0 +1,148 @@
+#include "reports/html.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <regex>
+
+#include "reports/file.h"
+#include "reports/sample_results.h"
+#include "reports/test_folder.h"
+
+namespace plumb {
+namespace {
+
+using testing::AllOf, testing::HasSubstr, testing::Not;
+
+std::string sample_page() {
+    return report_html(sample_results(), earlier_sample_results());
+}
+
+std::size_t occurrences(std::string_view text, std::string_view part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string_view::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+TEST(Page, HoldsTheDataAndNothingFromElsewhere) {
+    const std::string page = sample_page();
+    EXPECT_THAT(page, AllOf(HasSubstr("reweighting/torus/unbiased-2d"), HasSubstr("\"seed\":\"17592186044416123457\""),
+                            HasSubstr("default-src 'none'"), Not(HasSubstr("{{"))));
+    const std::string head = page.substr(0, page.find("id=\"data\""));
+    EXPECT_FALSE(std::regex_search(head, std::regex(R"((src|href)\s*=\s*["']?\s*(https?:)?//)")));
+    EXPECT_EQ(occurrences(page, "<script src"), 0U);
+    EXPECT_EQ(occurrences(page, "rel=\"stylesheet\""), 0U);
+    EXPECT_EQ(occurrences(page, "@import"), 0U);
+}
+
+TEST(Page, CannotBeBrokenOutOfByTheData) {
+    EXPECT_THAT(sample_page(), AllOf(Not(HasSubstr("<script>alert(1)")), HasSubstr("\\u003cscript>alert(1)")));
+    EXPECT_EQ(occurrences(sample_page(), "</script>"), 4U);
+}
+
+TEST(Page, OfConvergeHasNoVerdicts) {
+    const TestFolder folder;
+    const Results results = sample_results();
+    write_converge_report(results.run, results.claims[6].verdict.series, folder / "converge.html");
+    EXPECT_THAT(read_file(folder / "converge.html"),
+                AllOf(HasSubstr("<title>Plumb: convergence"), HasSubstr("\"claims\":[]")));
+}
+
+// ---- in a browser
+
+struct Browsed {
+    std::string dom, messages;
+    /// An attribute data-WHAT of <body>.
+    [[nodiscard]] std::string saw(const std::string& what) const {
+        const std::size_t body = dom.find("<body"), end = dom.find('>', body);
+        const std::string mark = " data-" + what + "=\"";
+        const std::size_t at = dom.find(mark, body);
+        if (at > end) return "";
+        const std::size_t from = at + mark.size();
+        return dom.substr(from, dom.find('"', from) - from);
+    }
+};
+
+/// The page around the page under test, which stands in a frame (a window is never narrower than 500 pixels). It writes
+/// down what page/test/try_everything.js reports from there; until then the second frame, opened and not closed, keeps
+/// the browser from finishing.
+constexpr const char* frame_page = R"(<body>
+<iframe id="wait" hidden></iframe>
+<script>
+const wait = document.getElementById("wait").contentDocument;
+wait.open();
+onmessage = (event) => {{
+  Object.assign(document.body.dataset, event.data);
+  wait.close();
+}};
+</script>
+<iframe src="page.html" style="width: {}px; height: 900px; border: 0"></iframe>
+)";
+
+/// Opens the page in a headless Chromium with everything tried, at this width.
+Browsed browse(const std::string& page, int width, const std::string& options = "") {
+    const TestFolder folder;
+    const std::string script = read_file(PLUMB_PAGE_FOLDER "/test/try_everything.js");
+    write_file(folder / "page.html", page + "<script>" + script + "</script>");
+    write_file(folder / "frame.html", fmt::format(frame_page, width));
+    const std::string command = fmt::format(
+        "cd '{}' && timeout 120 '{}' --headless --hide-scrollbars --no-sandbox --disable-gpu --disable-quic "
+        "--no-first-run "
+        "--disable-background-networking --disable-component-update --disable-sync --user-data-dir=profile "
+        "--enable-logging=stderr --window-size=1400,1000 {} --dump-dom "
+        "\"file://$PWD/frame.html\" "
+        ">dom 2>messages",
+        folder.path().string(), PLUMB_CHROMIUM, options);
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return {read_file(folder / "dom"), read_file(folder / "messages")};
+}
+
+class PageInBrowser : public testing::Test {
+protected:
+    void SetUp() override {
+        if (!std::filesystem::exists(PLUMB_CHROMIUM)) GTEST_SKIP() << "chromium is not installed";
+    }
+};
+
+TEST_F(PageInBrowser, DrawsItsPlotsAndSurvivesEveryControl) {
+    const Browsed page = browse(sample_page(), 1280);
+    EXPECT_THAT(page.messages, Not(HasSubstr("CONSOLE")));
+    EXPECT_EQ(page.saw("width"), "1280");
+    EXPECT_EQ(page.saw("error"), "");
+    EXPECT_EQ(page.saw("plots"), "3");  // convergence, work, stability
+    EXPECT_EQ(page.saw("plots-after"), "3");
+    EXPECT_EQ(page.saw("overflow"), "0");
+    EXPECT_EQ(page.saw("csv-rows"), "64");  // 9 estimators at 7 sample counts, and the headings
+    EXPECT_EQ(page.saw("svg"), "svg, drawn, alone");
+    EXPECT_EQ(page.saw("found"), "2");
+    EXPECT_THAT(page.saw("opened"), HasSubstr("mis/balance/corners"));
+    EXPECT_EQ(page.saw("wrong-numbers"), "false");
+    EXPECT_EQ(page.saw("sections"), "overview differences verdicts convergence work stability mutants errata");
+    EXPECT_EQ(page.saw("clamped"), "true");
+    EXPECT_EQ(page.saw("escaped"), "true");
+}
+
+TEST_F(PageInBrowser, FitsAPhone) {
+    const Browsed page = browse(sample_page(), 360, "--blink-settings=preferredColorScheme=0");
+    EXPECT_THAT(page.messages, Not(HasSubstr("CONSOLE")));
+    EXPECT_EQ(page.saw("width"), "360");
+    EXPECT_EQ(page.saw("overflow"), "0");
+    EXPECT_EQ(page.saw("plots"), "3");
+}
+
+TEST_F(PageInBrowser, DrawsConvergenceAlone) {
+    const Results sample = sample_results();
+    const Browsed page = browse(report_html({.run = sample.run, .series = sample.claims[6].verdict.series}), 1280);
+    EXPECT_THAT(page.messages, Not(HasSubstr("CONSOLE")));
+    EXPECT_EQ(page.saw("plots"), "2");
+    EXPECT_EQ(page.saw("sections"), "convergence work");
+}
+
+TEST_F(PageInBrowser, OfAnEmptyRunIsNoError) {
+    const Browsed page = browse(report_html({}), 1280);
+    EXPECT_THAT(page.messages, Not(HasSubstr("CONSOLE")));
+    EXPECT_EQ(page.saw("width"), "1280");
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,152 @@
+// Error against work for the series on one integrand: what "Convergence" and "Work–precision" share.
+
+const X_AXES = {
+  n: { label: "samples n", of: (p) => p.n, base: 2 },
+  evaluations: { label: "evaluations of the integrand", of: (p) => p.evaluations },
+  seconds: { label: "seconds per estimate", of: (p) => p.seconds },
+};
+
+/** Each gives [value, low, high]; efficiency turns the interval round. */
+const Y_AXES = {
+  mse: { label: "MSE", of: (p) => [p.mse, p.mse_low, p.mse_high], slope: 1 },
+  rmse: { label: "RMSE", of: (p) => [p.mse, p.mse_low, p.mse_high].map((v) => Math.sqrt(Math.max(v, 0))), slope: 0.5 },
+  efficiency: {
+    label: "efficiency 1 / (MSE × cost)",
+    of: (p, cost) => [1 / (p.mse * cost), 1 / (p.mse_high * cost), p.mse_low > 0 ? 1 / (p.mse_low * cost) : Infinity],
+  },
+};
+
+const CSV_COLUMNS = ["n", "evaluations", "seconds", "mse", "mse_low", "mse_high", "bias", "bias_standard_error"];
+
+/** What is costed: the x axis, or evaluations where that is a sample count. */
+const costOf = (p, x) => (x === "seconds" ? p.seconds : p.evaluations);
+
+/** The points of a series in the chosen axes; those a logarithmic axis cannot show are left out and counted. */
+function plottable(series, x, y) {
+  const drawn = [];
+  for (const p of series.points) {
+    const [value, low, high] = Y_AXES[y].of(p, costOf(p, x));
+    const at = X_AXES[x].of(p);
+    if (!(value > 0 && Number.isFinite(value) && at > 0)) continue;
+    drawn.push({ series, point: p, x: at, y: value, ...logBand(value, low, high) });
+  }
+  return { drawn, missing: series.points.length - drawn.length };
+}
+
+/** The expected slope as a line through the geometric middle of the points; only where x is n and y a power of MSE. */
+function expectedLine({ drawn }, series, x, y) {
+  const expected = series.expected_slope;
+  if (!expected || x !== "n" || !Y_AXES[y].slope || drawn.length < 2) return [];
+  const slope = (Y_AXES[y].slope * (num(expected.low) + num(expected.high))) / 2;
+  if (!Number.isFinite(slope)) return [];
+  const middle = [d3.mean(drawn, (d) => Math.log(d.x)), d3.mean(drawn, (d) => Math.log(d.y))];
+  return [drawn[0].x, drawn.at(-1).x].map((at) => ({
+    series,
+    x: at,
+    y: Math.exp(middle[1] + slope * (Math.log(at) - middle[0])),
+  }));
+}
+
+function tipText(d) {
+  const p = d.point;
+  return [
+    d.series.estimator,
+    `n ${p.n} · ${readable(p.evaluations)} evaluations · ${seconds(p.seconds)}`,
+    `MSE ${readable(p.mse)} [${readable(p.mse_low)}, ${readable(p.mse_high)}]`,
+    `bias ${readable(p.bias)} ± ${readable(p.bias_standard_error)}`,
+  ].join("\n");
+}
+
+function seriesMarks(list, { x, y, bands, expected }) {
+  const colour = (d) => styleOf(d.series.estimator).colour;
+  const symbol = (d) => styleOf(d.series.estimator).symbol;
+  const parts = list.map((series) => plottable(series, x, y));
+  const points = parts.flatMap((part) => part.drawn);
+  const lines = list.flatMap((series, i) => expectedLine(parts[i], series, x, y));
+  const key = (d) => d.series.key;
+  const clamped = bands ? points.filter((d) => d.lowClamped || d.highClamped) : [];
+  const marks = [
+    bands ? Plot.areaY(points, { x: "x", y1: "low", y2: "high", z: key, fill: colour, fillOpacity: 0.16 }) : null,
+    expected
+      ? Plot.line(lines, { x: "x", y: "y", z: key, stroke: colour, strokeDasharray: "2 4", strokeWidth: 1.25 })
+      : null,
+    Plot.line(points, { x: "x", y: "y", z: key, stroke: colour, strokeWidth: 1.75 }),
+    Plot.text(clamped, {
+      x: "x",
+      y: (d) => (d.lowClamped ? d.low : d.high),
+      text: (d) => (d.lowClamped ? "▽" : "△"),
+      fill: colour,
+    }),
+    Plot.dot(points, { x: "x", y: "y", stroke: colour, fill: "var(--paper)", symbol, r: 3.5, strokeWidth: 1.75 }),
+    Plot.tip(points, Plot.pointer({ x: "x", y: "y", title: tipText })),
+  ];
+  const shown = bands ? points.flatMap((d) => [d.low, d.y, d.high]) : points.map((d) => d.y);
+  return { marks, points, values: shown, clamped: clamped.length, missing: d3.sum(parts, (part) => part.missing) };
+}
+
+function seriesNote({ clamped, missing }, y) {
+  const notes = [];
+  if (clamped)
+    notes.push(
+      `${plural(clamped, "confidence bound")} at or below 0 (or infinite) cannot stand on a logarithmic axis: drawn a factor of ten away, marked ▽ or △.`,
+    );
+  if (missing)
+    notes.push(
+      `${plural(missing, "point")} not drawn: the ${Y_AXES[y].label.split(" ")[0]} or the work is 0 or unknown.`,
+    );
+  return notes.join(" ");
+}
+
+/** The options of Plot.plot for these series. */
+function drawSeries(list, setting, width) {
+  const drawn = seriesMarks(list, setting);
+  const xs = logDomain(drawn.points.map((d) => d.x)),
+    ys = logDomain(drawn.values);
+  const height = Math.round(Math.min(460, Math.max(280, width * 0.6)));
+  return {
+    height,
+    marginLeft: 52,
+    marginBottom: 42,
+    marginRight: 16,
+    marginTop: 28,
+    x: logAxis(X_AXES[setting.x].label, width, xs, X_AXES[setting.x].base),
+    y: logAxis(Y_AXES[setting.y].label, height, ys),
+    symbol: { type: "identity" },
+    marks: drawn.marks,
+    note: seriesNote(drawn, setting.y),
+  };
+}
+
+function seriesCsv(list) {
+  const headings = [
+    "estimator",
+    "integrand",
+    "claim",
+    "replicates",
+    ...CSV_COLUMNS,
+    "slope",
+    "slope_low",
+    "slope_high",
+    "expected_low",
+    "expected_high",
+  ];
+  const rows = list.flatMap((s) =>
+    s.points.map((p) => [
+      s.estimator,
+      s.integrand,
+      s.claim,
+      s.replicates,
+      ...CSV_COLUMNS.map((c) => p[c]),
+      num(s.slope.value),
+      num(s.slope.low),
+      num(s.slope.high),
+      num(s.expected_slope?.low),
+      num(s.expected_slope?.high),
+    ]),
+  );
+  return [headings, rows];
+}
+
+/** The integrands that have series, the one with most of them first chosen. */
+const integrandsWithSeries = () => [...d3.group(allSeries, (s) => s.integrand)];
+const mostCompared = () => d3.greatest(integrandsWithSeries(), ([, list]) => list.length)?.[0];

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string_view>
+
+// The files of reports/page/ and the chart library from its node_modules, as they were when the library was built.
+namespace plumb::page {
+
+std::string_view document();  ///< page.html, with {{style}} and the like where the others go
+std::string_view style();
+std::string_view d3();
+std::string_view plot();
+std::string_view script();    ///< all of page/script/
+std::string_view licences();  ///< of d3 and plot
+
+}  // namespace plumb::page

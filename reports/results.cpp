@@ -1,0 +1,25 @@
+#include "reports/results.h"
+
+#include <fmt/format.h>
+
+namespace plumb {
+
+Tally tally(const Results& results) {
+    Tally t;
+    for (const ClaimResult& claim : results.claims) switch (claim.verdict.outcome) {
+            case Outcome::holds: ++t.holds; break;
+            case Outcome::refuted: ++t.refuted; break;
+            case Outcome::undecided: ++t.undecided; break;
+        }
+    t.mutants = results.mutants.size();
+    for (const MutantResult& mutant : results.mutants) t.killed += mutant.killed ? 1 : 0;
+    return t;
+}
+
+std::string summary_line(const Results& results) {
+    const Tally t = tally(results);
+    return fmt::format("{} hold, {} refuted, {} undecided; mutants: {} of {} refuted", t.holds, t.refuted, t.undecided,
+                       t.killed, t.mutants);
+}
+
+}  // namespace plumb

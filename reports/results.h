@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "verification/verdict.h"
+
+namespace plumb {
+
+/// What a run was asked for and how long it took. `started` and `seconds` are side records: no verdict depends on them.
+struct RunInfo {
+    std::uint64_t seed = 0;
+    double alpha = std::numeric_limits<double>::quiet_NaN();  ///< the false-alarm budget; NaN where nothing was decided
+    int threads = 1;
+    std::string size = "quick";  ///< "quick" or "full"
+    std::string version;         ///< of Plumb
+    std::string started;         ///< ISO 8601, UTC: 2025-01-31T23:59:59Z
+    std::string patterns;        ///< what was selected, separated by spaces; empty for everything
+    double seconds = 0;          ///< wall clock
+};
+
+struct ClaimResult {
+    std::string id, statement, source;
+    Kind kind = Kind::exact;
+    Verdict verdict;
+    double alpha_share = 0;  ///< the claim's share of the false-alarm budget, absolute
+    double seconds = 0;
+    std::string no_mutant;  ///< why no mutant is possible, where there is none
+};
+
+struct MutantResult {
+    std::string id;      ///< claim-id/mutant-id
+    std::string of;      ///< the claim that must refute it
+    std::string defect;  ///< one sentence
+    Verdict verdict;
+    bool killed = false;  ///< the claim refuted it
+    double seconds = 0;
+};
+
+/// A statement of a source that is wrong, what is right instead, and the claim that shows it.
+struct ErratumEntry {
+    std::string source, printed, correct, claim;
+};
+
+/// Everything a run found: the one value that tables, JSON, the store and the page render.
+struct Results {
+    RunInfo run = {};
+    std::vector<ClaimResult> claims = {};
+    std::vector<MutantResult> mutants = {};
+    std::vector<ErratumEntry> errata = {};
+    std::vector<Series> series = {};  ///< convergence that belongs to no claim (`plumb converge`)
+};
+
+struct Tally {
+    std::size_t holds = 0, refuted = 0, undecided = 0;
+    std::size_t mutants = 0, killed = 0;
+};
+Tally tally(const Results& results);
+
+/// `12 hold, 0 refuted, 1 undecided; mutants: 25 of 25 refuted`
+std::string summary_line(const Results& results);
+
+}  // namespace plumb

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "reports/results.h"
+
+namespace plumb {
+
+namespace sqlite {
+class Database;
+}
+
+/// A run as the store lists it.
+struct StoredRun {
+    std::int64_t id = 0;
+    RunInfo run;
+    Tally tally;
+};
+
+/// The results of all runs in one SQLite file, whose tables store.cpp describes. Every function throws Error, naming
+/// the file, when it is locked, damaged, written by a newer Plumb, another program's, or cannot be written.
+class Store {
+public:
+    enum class Access {
+        read,    ///< the file must be there
+        append,  ///< the file and its folder are made when missing
+    };
+    /// `patience` is how long to wait for another process that is writing.
+    Store(const std::filesystem::path& file, Access access,
+          std::chrono::milliseconds patience = std::chrono::seconds(5));
+    ~Store();
+
+    /// Stores a run in one transaction and returns its number: 1, 2, …
+    std::int64_t append(const Results& results);
+    /// Throws Error for a number that is not there, naming the last one that is.
+    [[nodiscard]] Results load(std::int64_t run) const;
+    /// All runs, oldest first.
+    [[nodiscard]] std::vector<StoredRun> runs() const;
+
+private:
+    std::unique_ptr<sqlite::Database> database_;
+};
+
+}  // namespace plumb
