@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <filesystem>
 
 #include "cli/version.h"
 #include "core/error.h"
@@ -37,6 +38,28 @@ void add_seed_and_threads(CLI::App* verb, std::optional<std::uint64_t>& seed, in
         ->check(CLI::Range(1, 4096));
 }
 
+void add_sampler(CLI::App* verify, SamplerOptions& options) {
+    CLI::Option* sampler = verify->add_option("--sampler", options.command,
+                                              "judge a sampler in another process instead: a command that prints {n} "
+                                              "samples, one a line, from the seed {seed}");
+    CLI::Option* density =
+        verify->add_option("--density", options.density,
+                           "the sampler's density: a CSV file, or uniform, linear:A,B, exponential:RATE, uniform-2d, "
+                           "bilinear:A,B,C,D");
+    sampler->needs(density)->excludes(verify->get_option("patterns"))->excludes(verify->get_option("--full"));
+    density->needs(sampler);
+    verify->add_option("--delta", options.delta, "the density error (phi) that `holds` excludes")
+        ->check(probability)
+        ->needs(sampler)
+        ->capture_default_str();
+    verify
+        ->add_option_function<std::string>(
+            "--sampler-timeout", [&](const std::string& text) { options.timeout = parse_duration(text); },
+            "when a sampler that is not done is stopped; 60s when not given")
+        ->check(checked(parse_duration))
+        ->needs(sampler);
+}
+
 void add_verify(CLI::App& app, VerifyOptions& options) {
     CLI::App* verb = app.add_subcommand("verify", "Judge claims and their mutants; write a report");
     verb->add_option("patterns", options.patterns, "claims to judge, e.g. 'reweighting/*'; all when none is given");
@@ -52,17 +75,20 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
     verb->add_option("--json", options.json, "write verdicts as JSON to this file");
     verb->add_option("--report", options.report, "the HTML report")->capture_default_str();
     verb->add_option("--store", options.store, "the SQLite store that the run is added to")->capture_default_str();
+    add_sampler(verb, options.sampler);
     verb->footer(
         "Exit code: 0 every claim holds and every mutant is refuted, 1 a claim refuted or a mutant alive,\n"
         "2 usage or input error, 3 something undecided.\n\n"
         "Example: plumb verify 'reweighting/*' 'points/*' --json verdicts.json");
 }
 
-void add_list(CLI::App& app, ListOptions& options) {
+void add_list(CLI::App& app, ListOptions& options, VerbSet verbs) {
+    const bool shipped = verbs == VerbSet::shipped;
     CLI::App* verb = app.add_subcommand("list", "List what Plumb knows");
-    verb->add_option("what", options.what, "claims, mutants, integrands or estimators")->required();
+    verb->add_option("what", options.what, shipped ? "claims, mutants, integrands or estimators" : "claims or mutants")
+        ->required();
     verb->add_flag("--json", options.json, "as JSON, to standard output");
-    verb->footer("Example: plumb list integrands --json");
+    verb->footer(shipped ? "Example: plumb list integrands --json" : "Example: list claims --json");
 }
 
 void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) {
@@ -152,33 +178,34 @@ std::chrono::duration<double> parse_duration(const std::string& text) {
     return std::chrono::duration<double>(value * scale);
 }
 
-Options parse_options(int argc, const char* const* argv) {
-    CLI::App app("Plumb decides whether a Monte Carlo estimator is true.", "plumb");
+Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
+    const std::string name = std::filesystem::path(argv[0]).filename().string();
+    CLI::App app("Plumb decides whether a Monte Carlo estimator is true.", name);
     app.set_version_flag("--version", std::string(version));
     app.require_subcommand(1);
-    app.footer("plumb VERB --help explains a verb, with an example.");
+    app.footer(name + " VERB --help explains a verb, with an example.");
     VerifyOptions verify;
     ListOptions list;
     ConvergeOptions converge;
     std::string counts = "16..4096";
     ReportOptions report;
     add_verify(app, verify);
-    add_list(app, list);
-    add_converge(app, converge, counts);
+    add_list(app, list, verbs);
+    if (verbs == VerbSet::shipped) add_converge(app, converge, counts);
     add_report(app, report);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& answer) {
         return Answered{app.exit(answer)};
     } catch (const CLI::ParseError& error) {
-        fmt::print(stderr, "plumb: {}\n", explain(app, error, argc, argv));
+        fmt::print(stderr, "{}: {}\n", name, explain(app, error, argc, argv));
         return Answered{2};
     }
     converge.n = parse_sample_counts(counts);
     if (app.got_subcommand("verify")) return verify;
     if (app.got_subcommand("list")) return list;
-    if (app.got_subcommand("converge")) return converge;
-    return report;
+    if (app.got_subcommand("report")) return report;
+    return converge;
 }
 
 }  // namespace plumb

@@ -8,7 +8,6 @@
 #include "reports/store.h"
 #include "reports/table.h"
 #include "verification/runner.h"
-#include "verification/suites/suites.h"
 
 namespace plumb {
 namespace {
@@ -48,8 +47,7 @@ int exit_code(const Results& results) {
 
 }  // namespace
 
-int verify(const VerifyOptions& options) {
-    const Catalogue catalogue = shipped_catalogue();
+int verify(const VerifyOptions& options, const Catalogue& catalogue) {
     RunInfo run = start_run(options.seed, options.threads);
     run.alpha = options.alpha;
     run.size = options.full ? "full" : "quick";

@@ -2,6 +2,7 @@
 #
 #   plumb_library(NAME SOURCES… [DEPENDS targets…])   a folder's target plumb::NAME
 #   plumb_test(NAME SOURCES… [DEPENDS targets…])      its unit tests, one executable, each test known to ctest
+#   plumb_install(COMPONENT LIBRARIES… [HEADERS folders or headers…])   what `cmake --install` takes of them
 #   plumb_heavy_sources(TARGET SOURCES… [DEPENDS targets…])   units of TARGET that need about 1 GB each to compile
 #
 # Compile time is a budget (2 cores): one precompiled header for the libraries, one for the tests, and a ninja pool
@@ -25,6 +26,8 @@ if(PLUMB_CCACHE)
       CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${PLUMB_CCACHE})
 endif()
 
+# How our own code is compiled. Installed targets carry none of it (BUILD_INTERFACE below): warnings are our affair, and
+# no flag here changes how a type is laid out or a function is called (docs/embedding.md, "Compilers and flags").
 add_library(plumb_options INTERFACE)
 target_include_directories(plumb_options INTERFACE "${PROJECT_SOURCE_DIR}")
 # -ffp-contract=off and no -ffast-math: the same seed gives the same bits.
@@ -62,7 +65,10 @@ function(plumb_library name)
   cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
   add_library(plumb_${name} STATIC ${arg_UNPARSED_ARGUMENTS})
   add_library(plumb::${name} ALIAS plumb_${name})
-  target_link_libraries(plumb_${name} PUBLIC plumb_options fmt::fmt ${arg_DEPENDS})
+  target_link_libraries(plumb_${name} PUBLIC $<BUILD_INTERFACE:plumb_options> fmt::fmt ${arg_DEPENDS})
+  target_include_directories(plumb_${name} INTERFACE $<INSTALL_INTERFACE:${PLUMB_INCLUDE}>)
+  target_compile_features(plumb_${name} PUBLIC cxx_std_20)
+  set_target_properties(plumb_${name} PROPERTIES EXPORT_NAME ${name})
   plumb_precompiled_headers(plumb_${name} FALSE)
 endfunction()
 
@@ -84,4 +90,24 @@ function(plumb_heavy_sources target)
   set_target_properties(${target}_heavy PROPERTIES JOB_POOL_COMPILE heavy)
   target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_heavy>)
   target_link_libraries(${target} PRIVATE ${arg_DEPENDS})
+endfunction()
+
+# The libraries become targets plumb::NAME of find_package(plumb COMPONENTS component); headers keep their paths.
+include(GNUInstallDirs)
+set(PLUMB_INCLUDE "${CMAKE_INSTALL_INCLUDEDIR}/plumb")
+set(PLUMB_PACKAGE "${CMAKE_INSTALL_LIBDIR}/cmake/plumb")
+function(plumb_install component)
+  cmake_parse_arguments(arg "" "" "HEADERS" ${ARGN})
+  list(TRANSFORM arg_UNPARSED_ARGUMENTS PREPEND plumb_)
+  install(TARGETS ${arg_UNPARSED_ARGUMENTS} EXPORT plumb_${component} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT plumb_${component} NAMESPACE plumb:: DESTINATION ${PLUMB_PACKAGE})
+  foreach(header IN LISTS arg_HEADERS)
+    cmake_path(GET header PARENT_PATH folder)
+    if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/${header}")
+      install(DIRECTORY "${PROJECT_SOURCE_DIR}/${header}" DESTINATION ${PLUMB_INCLUDE}/${folder}
+              FILES_MATCHING PATTERN "*.h" PATTERN suites EXCLUDE)
+    else()
+      install(FILES "${PROJECT_SOURCE_DIR}/${header}" DESTINATION ${PLUMB_INCLUDE}/${folder})
+    endif()
+  endforeach()
 endfunction()
