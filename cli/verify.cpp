@@ -75,6 +75,8 @@ int verify(const VerifyOptions& options, const Catalogue& catalogue) {
     write_report(results, {}, options.report);
     const std::int64_t number = store.append(results);
     fmt::print("{}", verdict_table(results, terminal_style()));
+    for (const ClaimResult& claim : results.claims)  // what the table's width may have cut off
+        if (claim.verdict.outcome != Outcome::holds) fmt::print("{}: {}\n", claim.id, describe(claim.verdict));
     fmt::print("run {} in {}, seed {}, {:.1f} s; report: {}\n", number, options.store, results.run.seed,
                results.run.seconds, options.report);
     return exit_code(results);
