@@ -2,7 +2,6 @@
 #
 #   plumb_library(NAME SOURCES… [DEPENDS targets…])   a folder's target plumb::NAME
 #   plumb_test(NAME SOURCES… [DEPENDS targets…])      its unit tests, one executable, each test known to ctest
-#   plumb_install(COMPONENT LIBRARIES… [HEADERS folders or headers…])   what `cmake --install` takes of them
 #   plumb_heavy_sources(TARGET SOURCES… [DEPENDS targets…])   units of TARGET that need about 1 GB each to compile
 #
 # Compile time is a budget (2 cores): one precompiled header for the libraries, one for the tests, and a ninja pool
@@ -14,6 +13,9 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_CXX_FLAGS_DEBUG "-Og -g1")
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 set_property(GLOBAL PROPERTY JOB_POOLS heavy=1)
+
+include(GNUInstallDirs)
+set(PLUMB_INCLUDE "${CMAKE_INSTALL_INCLUDEDIR}/plumb")   # installed headers keep their paths below it
 
 set(PLUMB_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")
 set(PLUMB_EXECUTOR "tbb" CACHE STRING "What runs for_batches: tbb or jthread")
@@ -90,24 +92,4 @@ function(plumb_heavy_sources target)
   set_target_properties(${target}_heavy PROPERTIES JOB_POOL_COMPILE heavy)
   target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_heavy>)
   target_link_libraries(${target} PRIVATE ${arg_DEPENDS})
-endfunction()
-
-# The libraries become targets plumb::NAME of find_package(plumb COMPONENTS component); headers keep their paths.
-include(GNUInstallDirs)
-set(PLUMB_INCLUDE "${CMAKE_INSTALL_INCLUDEDIR}/plumb")
-set(PLUMB_PACKAGE "${CMAKE_INSTALL_LIBDIR}/cmake/plumb")
-function(plumb_install component)
-  cmake_parse_arguments(arg "" "" "HEADERS" ${ARGN})
-  list(TRANSFORM arg_UNPARSED_ARGUMENTS PREPEND plumb_)
-  install(TARGETS ${arg_UNPARSED_ARGUMENTS} EXPORT plumb_${component} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(EXPORT plumb_${component} NAMESPACE plumb:: DESTINATION ${PLUMB_PACKAGE})
-  foreach(header IN LISTS arg_HEADERS)
-    cmake_path(GET header PARENT_PATH folder)
-    if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/${header}")
-      install(DIRECTORY "${PROJECT_SOURCE_DIR}/${header}" DESTINATION ${PLUMB_INCLUDE}/${folder}
-              FILES_MATCHING PATTERN "*.h" PATTERN suites EXCLUDE)
-    else()
-      install(FILES "${PROJECT_SOURCE_DIR}/${header}" DESTINATION ${PLUMB_INCLUDE}/${folder})
-    endif()
-  endforeach()
 endfunction()
