@@ -9,5 +9,6 @@ int verify(const VerifyOptions& options);
 int list(const ListOptions& options);
 int converge(const ConvergeOptions& options);
 int report(const ReportOptions& options);
+int merge(const MergeOptions& options);
 
 }  // namespace plumb

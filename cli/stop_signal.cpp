@@ -1,0 +1,43 @@
+#include "cli/stop_signal.h"
+
+#include <csignal>
+
+namespace plumb {
+namespace {
+
+volatile std::sig_atomic_t noted = 0;
+
+void note(int signal) {
+    noted = signal;
+}
+
+void handle(int signal) {
+    struct sigaction before {};
+    struct sigaction ours {};
+    ours.sa_handler = note;
+    ours.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+    sigaction(signal, &ours, &before);
+    if (before.sa_handler == SIG_IGN) sigaction(signal, &before, nullptr);
+}
+
+}  // namespace
+
+StopSignal::StopSignal() {
+    noted = 0;
+    handle(SIGINT);
+    handle(SIGTERM);
+}
+
+StopSignal::~StopSignal() {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        struct sigaction now {};
+        sigaction(signal, nullptr, &now);
+        if (now.sa_handler == note) std::signal(signal, SIG_DFL);
+    }
+}
+
+int StopSignal::caught() {
+    return noted;
+}
+
+}  // namespace plumb
