@@ -13,7 +13,7 @@ namespace {
 
 using clock = std::chrono::steady_clock;
 constexpr auto tick = std::chrono::milliseconds(100);
-constexpr auto patience = std::chrono::milliseconds(600);  // with checks that do not notice the stop
+constexpr auto patience = std::chrono::milliseconds(500);  // with checks that do not notice the stop
 
 class Inbox {
 public:

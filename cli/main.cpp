@@ -24,10 +24,10 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error of writing like any other
     try {
         const int code = std::visit(Dispatch{}, plumb::parse_options(argc, argv));
-        if (std::fflush(stdout) != 0) throw plumb::Error("standard output: cannot be written");
+        if (std::fflush(stdout) != 0) throw plumb::Error("cannot be written");
         return code;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "plumb: {}\n", error.what());
+        fmt::print(stderr, "plumb: {}{}\n", std::ferror(stdout) ? "standard output: " : "", error.what());
         return 2;
     }
 }

@@ -15,6 +15,10 @@
 namespace plumb {
 namespace {
 
+std::filesystem::path real_path(const std::filesystem::path& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
+}
+
 int exit_code(const Results& results) {
     const auto claims = [&](Outcome outcome) {
         return std::ranges::any_of(results.claims, [&](const ClaimResult& c) { return c.verdict.outcome == outcome; });
@@ -31,13 +35,12 @@ int exit_code(const Results& results) {
 }  // namespace
 
 void check_outputs(const Outputs& outputs) {
-    std::map<std::filesystem::path, std::string> taken = {
-        {std::filesystem::weakly_canonical(outputs.store), "--store"}};
+    std::map<std::filesystem::path, std::string> taken = {{real_path(outputs.store), "--store"}};
     for (const auto& [option, file] : {std::pair("--json", outputs.json), std::pair("--junit", outputs.junit),
                                        std::pair("--report", outputs.report)}) {
         if (file.empty()) continue;
         check_writable(file);
-        const auto [other, is_new] = taken.emplace(std::filesystem::weakly_canonical(file), option);
+        const auto [other, is_new] = taken.emplace(real_path(file), option);
         if (!is_new)
             throw Error(
                 fmt::format("{}: named by {} and {}; each needs a file of its own", file, other->second, option));

@@ -2,6 +2,7 @@
 #include "cli/run_info.h"
 #include "core/error.h"
 #include "reports/differences.h"
+#include "reports/file.h"
 #include "reports/html.h"
 #include "reports/store.h"
 #include "reports/table.h"
@@ -16,6 +17,7 @@ int report(const ReportOptions& options) {
         fmt::print("{}", runs_table(runs, terminal_style()));
         return 0;
     }
+    check_writable(options.report);
     const Results results = store.load(options.run.value_or(runs.back().id));
     std::optional<Results> against;
     if (options.against) against = store.load(*options.against);
