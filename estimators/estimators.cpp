@@ -2,6 +2,8 @@
 #include "estimators/estimator.h"
 #include "estimators/importance_estimators.h"
 #include "estimators/point_set_estimators.h"
+#include "estimators/reweighting_estimators_1d.h"
+#include "estimators/reweighting_estimators_2d.h"
 
 namespace plumb {
 namespace {
@@ -19,6 +21,7 @@ const std::vector<Estimator<1>>& estimators_1d() {
     static const auto all = joined({
         point_set_estimators_1d(),
         importance_estimators_1d(),
+        reweighting_estimators_1d(),
     });
     return all;
 }
@@ -27,6 +30,7 @@ const std::vector<Estimator<2>>& estimators_2d() {
     static const auto all = joined({
         point_set_estimators_2d(),
         importance_estimators_2d(),
+        reweighting_estimators_2d(),
     });
     return all;
 }
