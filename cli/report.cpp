@@ -23,6 +23,8 @@ int report(const ReportOptions& options) {
     if (options.against) against = store.load(*options.against);
     write_report(results, against, options.report);
     if (against) fmt::print("{}", differences_table(diff_runs(*against, results), terminal_style()));
+    if (!results.run.finished)
+        fmt::print("unfinished: {} verdicts so far\n", results.claims.size() + results.mutants.size());
     fmt::print("{}\nreport: {}\n", summary_line(results), options.report);
     return 0;
 }

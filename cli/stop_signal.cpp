@@ -1,11 +1,13 @@
 #include "cli/stop_signal.h"
 
+#include <atomic>
 #include <csignal>
 
 namespace plumb {
 namespace {
 
-volatile std::sig_atomic_t noted = 0;
+std::atomic<int> noted = 0;  // any thread may take the signal
+static_assert(std::atomic<int>::is_always_lock_free);
 
 void note(int signal) {
     noted = signal;

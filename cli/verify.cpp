@@ -1,7 +1,6 @@
-#include <sys/types.h>
-
 #include <chrono>
 #include <csignal>
+#include <iterator>
 #include <set>
 #include <sstream>
 

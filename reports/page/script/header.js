@@ -15,7 +15,7 @@ function runFacts(run) {
     fact("version", run.version),
     fact("selected", run.patterns),
     fact("shard", run.shards === 1 ? "" : `${run.shard} of ${run.shards}`),
-    fact("state", run.finished ? "" : `unfinished: ${claims.length + mutants.length} of ${run.selected} verdicts`),
+    fact("state", run.finished ? "" : `unfinished: ${claims.length + mutants.length} verdicts so far`),
   );
 }
 
