@@ -23,5 +23,6 @@ int verify(const VerifyOptions& options, const Catalogue& catalogue);
 int list(const ListOptions& options, const Lists& lists);
 int converge(const ConvergeOptions& options);
 int report(const ReportOptions& options);
+int merge(const MergeOptions& options);
 
 }  // namespace plumb

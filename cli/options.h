@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "verification/runner.h"
+
 namespace plumb {
 
 /// A sampler in another process, put on trial instead of the catalogue.
@@ -18,15 +20,25 @@ struct SamplerOptions {
     std::uint64_t most_samples = 100'000'000;
 };
 
-struct VerifyOptions {
+/// Where verdicts go: an empty name writes no such file.
+struct Outputs {
+    std::string json, junit, report = "out/report.html", store = "out/results.db";
+};
+
+struct VerifyOptions : Outputs {
     std::vector<std::string> patterns;
     bool full = false;
     double alpha = 1e-4;
     std::optional<std::chrono::duration<double>> time_limit;
-    std::optional<std::uint64_t> seed;                                       ///< empty: a new one
-    int threads = 0;                                                         ///< 0: as many as the hardware has
-    std::string json, report = "out/report.html", store = "out/results.db";  ///< json: empty for none
+    std::optional<std::uint64_t> seed;  ///< empty: a new one
+    int threads = 0;                    ///< 0: as many as the hardware has
+    Shard shard;
+    bool resume = false;  ///< the newest unfinished run of the store, whose settings stand
     SamplerOptions sampler = {};
+};
+
+struct MergeOptions : Outputs {
+    std::vector<std::string> stores;
 };
 
 struct ListOptions {
@@ -54,7 +66,7 @@ struct Answered {
     int exit_code = 0;
 };
 
-using Options = std::variant<Answered, VerifyOptions, ListOptions, ConvergeOptions, ReportOptions>;
+using Options = std::variant<Answered, VerifyOptions, ListOptions, ConvergeOptions, ReportOptions, MergeOptions>;
 
 /// The verbs that need nothing but a catalogue, or all those of the program that Plumb ships.
 enum class VerbSet { of_a_catalogue, shipped };
@@ -66,5 +78,7 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs = VerbSet
 std::vector<std::uint64_t> parse_sample_counts(const std::string& text);
 /// "90", "90s", "1.5m", "2h"; throws Error.
 std::chrono::duration<double> parse_duration(const std::string& text);
+/// "2/3": the second of three; throws Error.
+Shard parse_shard(const std::string& text);
 
 }  // namespace plumb

@@ -17,6 +17,7 @@ struct CatalogueVerbs {
     int operator()(const VerifyOptions& options) const;  ///< of the catalogue, or of the sampler that is on trial
     int operator()(const ListOptions& options) const { return list(options, lists); }
     int operator()(const ReportOptions& options) const { return report(options); }
+    int operator()(const MergeOptions& options) const { return merge(options); }
     template <class Other>
     int operator()(const Other&) const {
         throw std::logic_error("the parser offers a verb that this program does not have");
