@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <filesystem>
 
 #include "cli/version.h"
 #include "core/error.h"
@@ -54,6 +55,28 @@ void add_outputs(CLI::App* verb, Outputs& outputs) {
     verb->add_option("--store", outputs.store, "the SQLite store that the run is added to")->capture_default_str();
 }
 
+void add_sampler(CLI::App* verify, SamplerOptions& options) {
+    CLI::Option* sampler = verify->add_option("--sampler", options.command,
+                                              "judge a sampler in another process instead: a command that prints {n} "
+                                              "samples, one a line, from the seed {seed}");
+    CLI::Option* density =
+        verify->add_option("--density", options.density,
+                           "the sampler's density: a CSV file, or uniform, linear:A,B, exponential:RATE, uniform-2d, "
+                           "bilinear:A,B,C,D");
+    sampler->needs(density)->excludes(verify->get_option("patterns"))->excludes(verify->get_option("--full"));
+    density->needs(sampler);
+    verify->add_option("--delta", options.delta, "the density error (phi) that `holds` excludes")
+        ->check(probability)
+        ->needs(sampler)
+        ->capture_default_str();
+    verify
+        ->add_option_function<std::string>(
+            "--sampler-timeout", [&](const std::string& text) { options.timeout = parse_duration(text); },
+            "when a sampler that is not done is stopped; 60s when not given")
+        ->check(checked(parse_duration))
+        ->needs(sampler);
+}
+
 void add_verify(CLI::App& app, VerifyOptions& options) {
     CLI::App* verb = app.add_subcommand("verify", "Judge claims and their mutants; write a report");
     CLI::Option* patterns =
@@ -77,6 +100,8 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
         verb->add_flag("--resume", options.resume, "go on with the store's newest unfinished run, with its settings");
     for (CLI::Option* setting : {patterns, full, alpha, seed, shard}) resume->excludes(setting);
     add_outputs(verb, options);
+    add_sampler(verb, options.sampler);
+    verb->get_option("--sampler")->excludes(resume)->excludes(shard);
     verb->footer(
         "Exit code: 0 every claim holds and every mutant is refuted, 1 a claim refuted or a mutant alive,\n"
         "2 usage or input error, 3 something undecided; 130 or 143 when SIGINT or SIGTERM ended it: what was judged\n"
@@ -84,11 +109,13 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
         "Example: plumb verify 'reweighting/*' 'points/*' --json verdicts.json");
 }
 
-void add_list(CLI::App& app, ListOptions& options) {
+void add_list(CLI::App& app, ListOptions& options, VerbSet verbs) {
+    const bool shipped = verbs == VerbSet::shipped;
     CLI::App* verb = app.add_subcommand("list", "List what Plumb knows");
-    verb->add_option("what", options.what, "claims, mutants, integrands or estimators")->required();
+    verb->add_option("what", options.what, shipped ? "claims, mutants, integrands or estimators" : "claims or mutants")
+        ->required();
     verb->add_flag("--json", options.json, "as JSON, to standard output");
-    verb->footer("Example: plumb list integrands --json");
+    verb->footer(shipped ? "Example: plumb list integrands --json" : "Example: list claims --json");
 }
 
 void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) {
@@ -205,11 +232,12 @@ Shard parse_shard(const std::string& text) {
     return shard;
 }
 
-Options parse_options(int argc, const char* const* argv) {
-    CLI::App app("Plumb decides whether a Monte Carlo estimator is true.", "plumb");
+Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
+    const std::string name = std::filesystem::path(argv[0]).filename().string();
+    CLI::App app("Plumb decides whether a Monte Carlo estimator is true.", name);
     app.set_version_flag("--version", std::string(version));
     app.require_subcommand(1);
-    app.footer("plumb VERB --help explains a verb, with an example.");
+    app.footer(name + " VERB --help explains a verb, with an example.");
     VerifyOptions verify;
     ListOptions list;
     ConvergeOptions converge;
@@ -217,8 +245,8 @@ Options parse_options(int argc, const char* const* argv) {
     ReportOptions report;
     MergeOptions merge;
     add_verify(app, verify);
-    add_list(app, list);
-    add_converge(app, converge, counts);
+    add_list(app, list, verbs);
+    if (verbs == VerbSet::shipped) add_converge(app, converge, counts);
     add_report(app, report);
     add_merge(app, merge);
     try {
@@ -226,15 +254,15 @@ Options parse_options(int argc, const char* const* argv) {
     } catch (const CLI::Success& answer) {
         return Answered{app.exit(answer)};
     } catch (const CLI::ParseError& error) {
-        fmt::print(stderr, "plumb: {}\n", explain(app, error, argc, argv));
+        fmt::print(stderr, "{}: {}\n", name, explain(app, error, argc, argv));
         return Answered{2};
     }
     converge.n = parse_sample_counts(counts);
     if (app.got_subcommand("verify")) return verify;
     if (app.got_subcommand("list")) return list;
-    if (app.got_subcommand("converge")) return converge;
+    if (app.got_subcommand("report")) return report;
     if (app.got_subcommand("merge")) return merge;
-    return report;
+    return converge;
 }
 
 }  // namespace plumb

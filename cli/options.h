@@ -11,6 +11,15 @@
 
 namespace plumb {
 
+/// A sampler in another process, put on trial instead of the catalogue.
+struct SamplerOptions {
+    std::string command;  ///< of the shell, with {seed} and {n}; empty: none
+    std::string density;  ///< a name or a CSV file
+    double delta = 0.05;  ///< the density error phi that `holds` excludes
+    std::chrono::duration<double> timeout{60};
+    std::uint64_t most_samples = 100'000'000;
+};
+
 /// Where verdicts go: an empty name writes no such file.
 struct Outputs {
     std::string json, junit, report = "out/report.html", store = "out/results.db";
@@ -25,6 +34,7 @@ struct VerifyOptions : Outputs {
     int threads = 0;                    ///< 0: as many as the hardware has
     Shard shard;
     bool resume = false;  ///< the newest unfinished run of the store, whose settings stand
+    SamplerOptions sampler = {};
 };
 
 struct MergeOptions : Outputs {
@@ -32,7 +42,7 @@ struct MergeOptions : Outputs {
 };
 
 struct ListOptions {
-    std::string what;  ///< claims, mutants, integrands or estimators
+    std::string what;  ///< e.g. claims or mutants
     bool json = false;
 };
 
@@ -58,8 +68,11 @@ struct Answered {
 
 using Options = std::variant<Answered, VerifyOptions, ListOptions, ConvergeOptions, ReportOptions, MergeOptions>;
 
+/// The verbs that need nothing but a catalogue, or all those of the program that Plumb ships.
+enum class VerbSet { of_a_catalogue, shipped };
+
 /// Reads the command line; prints help, or a one-line error with the nearest known name, by itself.
-Options parse_options(int argc, const char* const* argv);
+Options parse_options(int argc, const char* const* argv, VerbSet verbs = VerbSet::shipped);
 
 /// "16..65536" (powers of two times the first) or "16,100,1000"; throws Error.
 std::vector<std::uint64_t> parse_sample_counts(const std::string& text);

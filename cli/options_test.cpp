@@ -59,6 +59,17 @@ TEST(Options, SayWhatAValueMayBe) {
     EXPECT_THAT(complaint(), testing::HasSubstr("subcommand"));
 }
 
+TEST(Options, PutASamplerOnTrial) {
+    const auto verify = std::get<VerifyOptions>(
+        parse("verify", "--sampler", "./s {seed} {n}", "--density", "linear:0,1", "--sampler-timeout", "5s"));
+    EXPECT_EQ(verify.sampler.command, "./s {seed} {n}");
+    EXPECT_EQ(verify.sampler.density, "linear:0,1");
+    EXPECT_EQ(verify.sampler.timeout.count(), 5);
+    EXPECT_THAT(complaint("verify", "--sampler", "./s"), testing::HasSubstr("--density"));
+    EXPECT_THAT(complaint("verify", "points/*", "--sampler", "./s", "--density", "uniform"),
+                testing::HasSubstr("patterns"));
+}
+
 TEST(ParseSampleCounts, AcceptsRangesAndLists) {
     EXPECT_EQ(parse_sample_counts("16..100"), (std::vector<std::uint64_t>{16, 32, 64}));
     EXPECT_EQ(parse_sample_counts("100,10,10"), (std::vector<std::uint64_t>{10, 100}));
