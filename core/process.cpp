@@ -107,10 +107,43 @@ public:
         return status;
     }
 
+    [[nodiscard]] pid_t id() const { return id_; }
+
     Pipe output, errors;
 
 private:
     pid_t id_ = 0;
+};
+
+volatile pid_t group_to_end = 0;
+
+void end_group_and_self(int signal) {
+    kill(-group_to_end, SIGKILL);
+    ::signal(signal, SIG_DFL);
+    raise(signal);
+}
+
+// Its own process group does not hear the terminal: who interrupts this process ends the child's group with it.
+class EndedTogether {
+public:
+    explicit EndedTogether(const Child& child) {
+        group_to_end = child.id();
+        for (std::size_t i = 0; i < signals.size(); ++i) {
+            struct sigaction ending {};
+            ending.sa_handler = end_group_and_self;
+            sigaction(signals[i], nullptr, &before_[i]);
+            if (before_[i].sa_handler != SIG_IGN) sigaction(signals[i], &ending, nullptr);
+        }
+    }
+    ~EndedTogether() {
+        for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
+    }
+    EndedTogether(const EndedTogether&) = delete;
+    EndedTogether& operator=(const EndedTogether&) = delete;
+
+private:
+    static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+    std::array<struct sigaction, 3> before_{};
 };
 
 // Bytes that arrive, cut into lines.
@@ -154,6 +187,7 @@ std::string end_of(int status) {
 bool read_lines(const std::string& command, std::chrono::duration<double> limit,
                 const std::function<bool(std::string_view line)>& take) {
     Child child(command);
+    const EndedTogether together(child);
     const Deadline deadline(command, limit);
     Lines lines;
     std::string errors;

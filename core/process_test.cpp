@@ -1,6 +1,11 @@
 #include "core/process.h"
 
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+
+#include <csignal>
+#include <thread>
 
 #include "core/error.h"
 
@@ -54,6 +59,34 @@ TEST(ReadLines, StopsWhatHangs) {
     EXPECT_THAT(complaint("exec >&- 2>&-; sleep 60; true", 0.2s),
                 HasSubstr("was stopped"));  // output closed, not ended
     EXPECT_LT(std::chrono::steady_clock::now() - start, 10s);
+}
+
+TEST(ReadLinesDeathTest, EndsTheCommandWhenThisProcessIsInterrupted) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    prctl(PR_SET_CHILD_SUBREAPER, 1);  // orphans come to this process
+    const auto interrupted = [] {
+        read_lines("echo $$; sleep 60; true", 20s, [](std::string_view group) {
+            fmt::print(stderr, "group {}.", group);
+            std::raise(SIGTERM);
+            return true;
+        });
+    };
+    std::string printed;
+    EXPECT_EXIT(interrupted(), testing::KilledBySignal(SIGTERM),
+                testing::ResultOf(
+                    [&](const std::string& text) {
+                        printed = text;
+                        return true;
+                    },
+                    testing::IsTrue()));
+    const std::size_t begin = printed.find("group ") + 6;
+    const pid_t group = std::stoi(printed.substr(begin));
+    pid_t left = 0;  // -1: of the group nothing is left
+    for (int tries = 0; tries < 500 && left >= 0; ++tries) {
+        left = waitpid(-group, nullptr, WNOHANG);
+        if (left == 0) std::this_thread::sleep_for(10ms);
+    }
+    EXPECT_EQ(left, -1) << "process group " << group << " still runs";
 }
 
 TEST(ReadLines, RefusesALineWithoutEnd) {
