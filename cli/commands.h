@@ -8,6 +8,7 @@ namespace plumb {
 int verify(const VerifyOptions& options);
 int list(const ListOptions& options);
 int converge(const ConvergeOptions& options);
+int study(const StudyOptions& options);
 int report(const ReportOptions& options);
 
 }  // namespace plumb

@@ -55,14 +55,6 @@ TEST(Options, SayWhatAValueMayBe) {
     EXPECT_THAT(complaint(), testing::HasSubstr("subcommand"));
 }
 
-TEST(ParseSampleCounts, AcceptsRangesAndLists) {
-    EXPECT_EQ(parse_sample_counts("16..100"), (std::vector<std::uint64_t>{16, 32, 64}));
-    EXPECT_EQ(parse_sample_counts("100,10,10"), (std::vector<std::uint64_t>{10, 100}));
-    EXPECT_THROW(parse_sample_counts("0"), Error);
-    EXPECT_THROW(parse_sample_counts("1,,2"), Error);
-    EXPECT_THROW(parse_sample_counts("many"), Error);
-}
-
 TEST(ParseDuration, KnowsItsUnits) {
     EXPECT_EQ(parse_duration("90").count(), 90);
     EXPECT_EQ(parse_duration("1.5m").count(), 90);

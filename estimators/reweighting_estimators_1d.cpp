@@ -95,8 +95,8 @@ std::vector<Estimator<1>> reweighting_estimators_1d() {
          "ours, estimators/warp.h", true, through_ramp(folded(torus)), tent_slope_1d},
         step_reweighted_estimator("density-reweighted", four_steps()),
         step_strata_estimator("piecewise-strata", four_steps()),
-        in_batches_of("reweighted-batches-16",
-                      Estimator<1>{"reweighted", "", "", true, reweighted, divided_slope_1d}, 16),
+        in_batches_of("reweighted-batches-16", Estimator<1>{"reweighted", "", "", true, reweighted, divided_slope_1d},
+                      16),
     };
 }
 

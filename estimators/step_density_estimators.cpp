@@ -24,8 +24,9 @@ Estimator<1> step_importance_estimator(std::string id, StepDensity density) {
             estimate.value += f({x}) / (density.pdf(x) * static_cast<double>(n));
         return estimate;
     };
-    return {std::move(id), "The mean of f/p over independent samples of a piecewise-constant density p.",
-            "importance sampling", true, std::move(run), independent_slope<1>};
+    return {std::move(id),         "The mean of f/p over independent samples of a piecewise-constant density p.",
+            "importance sampling", true,
+            std::move(run),        independent_slope<1>};
 }
 
 Estimator<1> step_strata_estimator(std::string id, StepDensity density) {
@@ -34,7 +35,10 @@ Estimator<1> step_strata_estimator(std::string id, StepDensity density) {
     };
     return {std::move(id),
             "Samples of a piecewise-constant density, fixed counts a piece, each piece reweighted by itself.",
-            "thesis, section 4.4.4", true, std::move(run), stepped_density_slope_1d};
+            "thesis, section 4.4.4",
+            true,
+            std::move(run),
+            stepped_density_slope_1d};
 }
 
 Estimator<1> step_reweighted_estimator(std::string id, StepDensity density) {
@@ -45,8 +49,12 @@ Estimator<1> step_reweighted_estimator(std::string id, StepDensity density) {
         for (std::size_t i = 0; i < samples.size(); ++i) estimate.value += weights[i] * f({samples[i]});
         return estimate;
     };
-    return {std::move(id), "Samples of a piecewise-constant density p, Voronoi cells over g p.",
-            "ours, analytic/cell_weight_density.h", true, std::move(run), stepped_density_slope_1d};
+    return {std::move(id),
+            "Samples of a piecewise-constant density p, Voronoi cells over g p.",
+            "ours, analytic/cell_weight_density.h",
+            true,
+            std::move(run),
+            stepped_density_slope_1d};
 }
 
 }  // namespace plumb
