@@ -7,7 +7,7 @@
 #include "core/parallel.h"
 #include "reports/file.h"
 #include "reports/study_files.h"
-#include "reports/table.h"
+#include "reports/study_table.h"
 #include "studies/measure.h"
 #include "studies/shipped.h"
 #include "studies/study_file.h"
@@ -40,13 +40,6 @@ Study load(const std::string& given) {
     throw Error(fmt::format("{}; a file of your own ends in .toml", unknown_name("study", given, known).what()));
 }
 
-std::vector<Series> all_series(const StudyResult& result) {
-    std::vector<Series> all;
-    for (const FigureResult& figure : result.figures)
-        for (const FigurePanel& panel : figure.panels) all.insert(all.end(), panel.series.begin(), panel.series.end());
-    return all;
-}
-
 }  // namespace
 
 int study(const StudyOptions& options) {
@@ -70,7 +63,7 @@ int study(const StudyOptions& options) {
     result.run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const std::string folder = options.out.empty() ? "out/study-" + study.about.name : options.out;
     write_folder(folder, study_files(result));
-    fmt::print("{}study: {}/index.html, {:.1f} s\n", converge_table(all_series(result), terminal_style()), folder,
+    fmt::print("{}study: {}/index.html, {:.1f} s\n", study_table(result, terminal_style()), folder,
                result.run.seconds);
     return 0;
 }

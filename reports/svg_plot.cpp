@@ -126,20 +126,27 @@ void draw_frame(Drawing& svg, const SvgPlot& plot, const LogAxis& x, const LogAx
             escaped(plot.y_label));
 }
 
-/// Each guide starts from the highest of the first points.
+std::string signed_number(double x) {
+    return (x < 0 ? "−" : "") + fmt::format("{:.3g}", std::abs(x));
+}
+
+/// Each guide runs from the highest of the first points to the frame's right or lower edge.
 void draw_guides(Drawing& svg, const SvgPlot& plot, const LogAxis& x, const LogAxis& y) {
-    double start = 0;
+    double first = std::numeric_limits<double>::infinity(), start = 0;
     for (const SvgLine& line : plot.lines)
-        if (const auto points = shown(line); !points.empty()) start = std::max(start, points.front().y);
+        if (const auto points = shown(line); !points.empty()) {
+            first = std::min(first, points.front().x);
+            start = std::max(start, points.front().y);
+        }
     if (start == 0) return;
     svg.put("<g stroke='#8a8f94' stroke-dasharray='5 4' fill='#5a626b' font-size='11'>");
     for (const double slope : plot.slopes) {
-        const double from = std::log(start), run = x.high - x.low;
-        const double reach = slope < 0 ? std::min(1.0, (y.low - from) / (slope * run)) : 1.0;
-        const double x_end = x.from + reach * (x.to - x.from), y_end = y(std::exp(from + slope * reach * run));
-        svg.put("<path d='M{:.1f},{:.1f}L{:.1f},{:.1f}'/>", x.from, y(start), x_end, y_end);
-        svg.put("<text x='{:.1f}' y='{:.1f}' text-anchor='end' stroke='none'>{:.3g}</text>", x_end - 5,
-                std::min(y_end, bottom) - 7, slope);
+        const double width_left = x.high - std::log(first), depth = y.low - std::log(start);
+        const double run = slope < 0 ? std::min(width_left, depth / slope) : width_left;
+        const double x_end = x(first * std::exp(run)), y_end = y(start * std::exp(slope * run));
+        svg.put("<path d='M{:.1f},{:.1f}L{:.1f},{:.1f}'/>", x(first), y(start), x_end, y_end);
+        svg.put("<text x='{:.1f}' y='{:.1f}' stroke='none'>{}</text>", x_end + 4, std::min(y_end, bottom - 6) + 4,
+                signed_number(slope));
     }
     svg.put("</g>");
 }
@@ -164,7 +171,7 @@ void draw_legend(Drawing& svg, const SvgPlot& plot) {
     double at = top + 8;
     for (const SvgLine& line : plot.lines) {
         const char* const colour = colours.at(line.style % colours.size());
-        svg.put("<g transform='translate({},{})'><path d='M0,0H30' stroke='{}' stroke-width='1.75'/>", right + 20, at,
+        svg.put("<g transform='translate({},{})'><path d='M0,0H30' stroke='{}' stroke-width='1.75'/>", right + 34, at,
                 colour);
         svg.put("<path transform='translate(15,0)' d='{}' fill='#fff' stroke='{}' stroke-width='1.5'/>",
                 symbols.at(line.style % symbols.size()), colour);
@@ -176,7 +183,7 @@ void draw_legend(Drawing& svg, const SvgPlot& plot) {
 double legend_width(const SvgPlot& plot) {
     std::size_t longest = 0;
     for (const SvgLine& line : plot.lines) longest = std::max(longest, columns_of(line.name));
-    return 70 + 6.6 * static_cast<double>(longest);
+    return 84 + 6.6 * static_cast<double>(longest);
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ function guideMarks(guides) {
     ),
     Plot.text(
       guides.map((g) => g.ends[1]),
-      { x: "x", y: "y", text: (d) => readable(d.exponent), fill: "var(--soft)", textAnchor: "end", dx: -4, dy: -9 },
+      { x: "x", y: "y", text: (d) => readable(d.exponent), fill: "var(--soft)", textAnchor: "start", dx: 4 },
     ),
   ];
 }
@@ -149,7 +149,7 @@ function drawSeries(list, setting, width) {
     height,
     marginLeft: 52,
     marginBottom: 42,
-    marginRight: 16,
+    marginRight: setting.slopes?.length ? 30 : 16,
     marginTop: 28,
     x: logAxis(setting.xLabels?.[setting.x] || X_AXES[setting.x].label, width, xs, X_AXES[setting.x].base),
     y: logAxis(Y_AXES[setting.y].label, height, ys),
