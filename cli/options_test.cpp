@@ -42,6 +42,14 @@ TEST(Options, ReadAConvergeLine) {
     EXPECT_EQ(converge.n, (std::vector<std::uint64_t>{16, 32, 64}));
 }
 
+TEST(Options, ReadAStudyLine) {
+    const auto study = std::get<StudyOptions>(parse("study", "mine.toml", "--replicates", "10", "--out", "here"));
+    EXPECT_EQ(study.study, "mine.toml");
+    EXPECT_EQ(study.replicates, 10U);
+    EXPECT_EQ(study.out, "here");
+    EXPECT_TRUE(std::get<StudyOptions>(parse("study", "--list")).list);
+}
+
 TEST(Options, NameTheNearestKnownWord) {
     EXPECT_THAT(complaint("verfy"), testing::HasSubstr("did you mean 'verify'"));
     EXPECT_THAT(complaint("verify", "--aplha", "0.1"), testing::HasSubstr("did you mean '--alpha'"));

@@ -77,6 +77,8 @@ std::string page_data(const StudyResult& study) {
     Results results{.run = study.run};
     Json figures = Json::array();
     for (const FigureResult& result : study.figures) figures.push_back(figure(result, results.series));
+    Json styles = Json::object();
+    for (const EstimatorStyle& style : estimator_styles(study)) styles[style.estimator] = style.style;
     return for_script({{"results", document(results)},
                        {"against", nullptr},
                        {"study",
@@ -84,6 +86,7 @@ std::string page_data(const StudyResult& study) {
                          {"title", study.about.title},
                          {"text", study.about.text},
                          {"source", study.about.source},
+                         {"styles", styles},
                          {"figures", figures}}}});
 }
 

@@ -19,18 +19,8 @@ std::string cell(double x) {
     return std::isnan(x) ? "" : fmt::format("{}", x);
 }
 
-/// The place of each estimator's name in the study decides colour and symbol, as on the page.
-std::vector<std::string> names_of_estimators(const StudyResult& study) {
-    std::vector<std::string> names;
-    for (const FigureResult& figure : study.figures)
-        for (const FigurePanel& panel : figure.panels)
-            for (const Series& series : panel.series)
-                if (std::ranges::find(names, series.estimator) == names.end()) names.push_back(series.estimator);
-    return names;
-}
-
 SvgPlot plot_of(const FigureText& about, const FigurePanel& panel, Metric metric,
-                const std::vector<std::string>& names) {
+                const std::vector<EstimatorStyle>& styles) {
     SvgPlot plot{.title = about.title,
                  .subtitle = panel.integrand,
                  .x_label = about.x_label.empty() ? label(about.x) : about.x_label,
@@ -41,8 +31,8 @@ SvgPlot plot_of(const FigureText& about, const FigurePanel& panel, Metric metric
     for (const double slope : about.x == Work::seconds ? std::vector<double>{} : about.slopes)
         if (const double shown = exponent(metric, slope); !std::isnan(shown)) plot.slopes.push_back(shown);
     for (const Series& series : panel.series) {
-        const auto style = std::ranges::find(names, series.estimator) - names.begin();
-        SvgLine& line = plot.lines.emplace_back(SvgLine{series.estimator, static_cast<std::size_t>(style), {}});
+        const auto style = std::ranges::find(styles, series.estimator, &EstimatorStyle::estimator);
+        SvgLine& line = plot.lines.emplace_back(SvgLine{series.estimator, style->style, {}});
         for (const ConvergencePoint& point : series.points) {
             const Measured y = measured(metric, point, panel.integral, about.x);
             line.points.push_back({work_of(point, about.x), y.value, y.low, y.high});
@@ -80,11 +70,12 @@ std::string study_csv(const StudyResult& study) {
 
 std::vector<FolderFile> study_files(const StudyResult& study) {
     std::vector<FolderFile> files = {{"index.html", study_html(study)}, {"series.csv", study_csv(study)}};
-    const std::vector<std::string> names = names_of_estimators(study);
+    const std::vector<EstimatorStyle> styles = estimator_styles(study);
     for (const FigureResult& figure : study.figures)
         for (const FigurePanel& panel : figure.panels)
             for (const Metric metric : figure.about.metrics)
-                files.push_back({svg_name(figure, panel, metric), to_svg(plot_of(figure.about, panel, metric, names))});
+                files.push_back(
+                    {svg_name(figure, panel, metric), to_svg(plot_of(figure.about, panel, metric, styles))});
     return files;
 }
 

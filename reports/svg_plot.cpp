@@ -162,6 +162,10 @@ void draw_line(Drawing& svg, const SvgLine& line, const LogAxis& x, const LogAxi
     }
     svg.put("<polygon points='{}{}' fill='{}' fill-opacity='0.16'/>", upper, lower, colour);
     svg.put("<polyline points='{}' fill='none' stroke='{}' stroke-width='1.75'/>", path, colour);
+    for (const SvgPoint& p : line.points)
+        if (drawable(p) && !(p.low > 0))
+            svg.put("<text x='{:.1f}' y='{:.1f}' fill='{}' text-anchor='middle'>▽</text>", x(p.x), y(p.y / 10) + 4,
+                    colour);
     for (const SvgPoint& p : points)
         svg.put("<path transform='translate({:.1f},{:.1f})' d='{}' fill='#fff' stroke='{}' stroke-width='1.5'/>",
                 x(p.x), y(p.y), symbols.at(line.style % symbols.size()), colour);

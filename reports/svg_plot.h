@@ -5,8 +5,8 @@
 
 namespace plumb {
 
-/// A place on a line, with the band about it; all four must be positive (the axes are logarithmic) to be drawn. A low
-/// bound that is not, or an infinite high one, is drawn a factor of ten away.
+/// A place on a line, with the band about it. The axes are logarithmic: a place that is not positive is left out; a low
+/// bound that is not, or an infinite high one, is drawn a factor of ten away, the former marked ▽.
 struct SvgPoint {
     double x = 0, y = 0, low = 0, high = 0;
 };
