@@ -37,7 +37,7 @@ Study load(const std::string& given) {
         if (name == given) return parse_study(text, given + ".toml");
         known.emplace_back(name);
     }
-    throw Error(fmt::format("{}; a file of your own ends in .toml", unknown_name("study", given, known).what()));
+    throw Error(fmt::format("{} (a file of your own ends in .toml)", unknown_name("study", given, known).what()));
 }
 
 }  // namespace
@@ -48,6 +48,9 @@ int study(const StudyOptions& options) {
     Study study = load(options.study);
     if (options.replicates)
         for (FigurePlan& figure : study.figures) figure.replicates = *options.replicates;
+
+    const std::string folder = options.out.empty() ? "out/study-" + study.about.name : options.out;
+    check_replaceable(folder, {".html", ".csv", ".svg"});  // before the work
 
     StudyResult result{.run = start_run(options.seed ? options.seed : study.seed, options.threads),
                        .about = study.about,
@@ -61,10 +64,8 @@ int study(const StudyOptions& options) {
         });
     }
     result.run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const std::string folder = options.out.empty() ? "out/study-" + study.about.name : options.out;
     write_folder(folder, study_files(result));
-    fmt::print("{}study: {}/index.html, {:.1f} s\n", study_table(result, terminal_style()), folder,
-               result.run.seconds);
+    fmt::print("{}study: {}/index.html, {:.1f} s\n", study_table(result, terminal_style()), folder, result.run.seconds);
     return 0;
 }
 

@@ -17,24 +17,24 @@ void must(const fs::path& folder, const Action& action) {
     if (error) throw Error(fmt::format("{}: cannot be replaced: {}", folder.string(), error.message()));
 }
 
-void check_replaceable(const fs::path& folder, const std::vector<FolderFile>& files) {
+}  // namespace
+
+void check_replaceable(const fs::path& folder, const std::vector<std::string>& extensions) {
     if (!fs::exists(folder)) return;
     if (!fs::is_directory(folder)) throw Error(fmt::format("{}: is a file; a folder is needed", folder.string()));
     for (const auto& entry : fs::directory_iterator(folder)) {
-        const auto ours = [&](const FolderFile& file) {
-            return fs::path(file.name).extension() == entry.path().extension();
-        };
-        if (!entry.is_regular_file() || !std::ranges::any_of(files, ours))
+        const std::string extension = entry.path().extension().string();
+        if (!entry.is_regular_file() || std::ranges::find(extensions, extension) == extensions.end())
             throw Error(fmt::format("{}: holds {}, so it is not replaced; give an empty or a new folder",
                                     folder.string(), entry.path().filename().string()));
     }
 }
 
-}  // namespace
-
 void write_folder(const fs::path& given, const std::vector<FolderFile>& files) {
     const fs::path folder = given.has_filename() ? given : given.parent_path();
-    check_replaceable(folder, files);
+    std::vector<std::string> extensions;
+    for (const FolderFile& file : files) extensions.push_back(fs::path(file.name).extension().string());
+    check_replaceable(folder, extensions);
     const fs::path aside = folder.string() + fmt::format(".{}.part", ::getpid());
     const fs::path before = folder.string() + fmt::format(".{}.old", ::getpid());
     std::error_code ignored;

@@ -10,9 +10,12 @@ struct FolderFile {
     std::string name, text;
 };
 
+/// A folder may be replaced when it is not there yet or holds nothing but files with these extensions (".csv"); throws
+/// Error naming what else it holds.
+void check_replaceable(const std::filesystem::path& folder, const std::vector<std::string>& extensions);
+
 /// A folder with exactly these files: written aside, then renamed into place, so that readers see the old folder or the
-/// new one. An existing folder is replaced only when all it holds are files with an extension of one of these;
-/// throws Error naming what else it holds, or what cannot be written.
+/// new one. Throws Error as check_replaceable() does with the files' own extensions, or naming what cannot be written.
 void write_folder(const std::filesystem::path& folder, const std::vector<FolderFile>& files);
 
 }  // namespace plumb

@@ -33,7 +33,7 @@ TEST(Metric, GoesByItsName) {
     for (const Metric m : {Metric::mse, Metric::rmse, Metric::relative_mse, Metric::bias, Metric::efficiency})
         EXPECT_EQ(metric_from(to_string(m)), m);
     for (const Work w : {Work::n, Work::evaluations, Work::seconds}) EXPECT_EQ(work_from(to_string(w)), w);
-    EXPECT_THAT(error_of([] { metric_from("rsme"); }), testing::HasSubstr("did you mean 'rmse'"));
+    EXPECT_THAT(error_of([] { metric_from("biass"); }), testing::HasSubstr("did you mean 'bias'"));
 }
 
 TEST(EstimatorStyles, DifferInEveryFigureWhileColoursLast) {

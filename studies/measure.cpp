@@ -1,5 +1,6 @@
 #include "studies/measure.h"
 
+#include "core/error.h"
 #include "verification/convergence.h"
 
 namespace plumb {
@@ -21,10 +22,15 @@ FigurePanel measure_panel(const Study& study, const FigurePlan& plan, const Inte
                           const std::function<void(const std::string&)>& progress) {
     FigurePanel panel{.integrand = integrand.id, .integral = integrand.integral_value(), .series = {}};
     for (const std::string& id : plan.estimators) {
-        progress(fmt::format("{}: {} on {}", plan.about.id, id, integrand.id));
+        const std::string what = fmt::format("{}: {} on {}", plan.about.id, id, integrand.id);
+        progress(what);
         const Estimator<D>& estimator = find_estimator<D>(study, id);
-        const auto n = sample_counts(plan.budget, estimator, integrand, run);
-        panel.series.push_back(measure_series(estimator, integrand, n, plan.replicates, run));
+        try {
+            const auto n = sample_counts(plan.budget, estimator, integrand, run);
+            panel.series.push_back(measure_series(estimator, integrand, n, plan.replicates, run));
+        } catch (const Error& error) {
+            throw Error(fmt::format("{}: {}", what, error.what()));
+        }
     }
     return panel;
 }
