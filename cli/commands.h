@@ -10,5 +10,6 @@ int list(const ListOptions& options);
 int converge(const ConvergeOptions& options);
 int study(const StudyOptions& options);
 int report(const ReportOptions& options);
+int merge(const MergeOptions& options);
 
 }  // namespace plumb
