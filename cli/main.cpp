@@ -6,6 +6,7 @@ namespace {
 struct ShippedVerbs : plumb::CatalogueVerbs {
     using plumb::CatalogueVerbs::operator();
     int operator()(const plumb::ConvergeOptions& options) const { return plumb::converge(options); }
+    int operator()(const plumb::StudyOptions& options) const { return plumb::study(options); }
 };
 
 }  // namespace

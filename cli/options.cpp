@@ -6,6 +6,7 @@
 
 #include "cli/version.h"
 #include "core/error.h"
+#include "studies/sample_counts.h"
 
 namespace plumb {
 namespace {
@@ -135,6 +136,17 @@ void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) 
     verb->footer("Example: plumb converge independent torus-tent --on exp --n 16..4096");
 }
 
+void add_study(CLI::App& app, StudyOptions& options) {
+    CLI::App* verb = app.add_subcommand("study", "Compare estimators as a file says: a page, CSV and SVG");
+    verb->add_option("study", options.study, "a TOML file (docs/studies.md), or the name of a shipped study");
+    verb->add_flag("--list", options.list, "list the shipped studies instead");
+    verb->add_option("--replicates", options.replicates, "independent runs of each point, in place of the study's own")
+        ->check(CLI::Range(2, 100'000'000));
+    verb->add_option("--out", options.out, "the folder that the study is written to; out/study-NAME when not given");
+    add_seed_and_threads(verb, options.seed, options.threads);
+    verb->footer("Example: plumb study boundary");
+}
+
 void add_report(CLI::App& app, ReportOptions& options) {
     CLI::App* verb = app.add_subcommand("report", "Rebuild the report of a stored run");
     verb->add_option("--run", options.run, "the run's number; the newest when not given");
@@ -179,36 +191,6 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc,
 
 }  // namespace
 
-std::vector<std::uint64_t> parse_sample_counts(const std::string& text) {
-    const auto number = [&](std::string_view part) {
-        std::uint64_t value = 0;
-        const auto [end, failure] = std::from_chars(part.data(), part.data() + part.size(), value);
-        if (failure != std::errc() || end != part.data() + part.size() || value == 0 ||
-            value > (std::uint64_t{1} << 32))
-            throw Error(fmt::format(
-                "'{}' is not a sample count between 1 and 2^32, in '{}'; accepted: 16..65536 or 16,100,1000", part,
-                text));
-        return value;
-    };
-    std::vector<std::uint64_t> counts;
-    if (const std::size_t dots = text.find(".."); dots != std::string::npos) {
-        const std::uint64_t first = number(std::string_view(text).substr(0, dots)),
-                            last = number(std::string_view(text).substr(dots + 2));
-        if (last < first)
-            throw Error(fmt::format("'{}' runs backwards; accepted: first..last with first ≤ last", text));
-        for (std::uint64_t n = first; n <= last; n *= 2) counts.push_back(n);
-        return counts;
-    }
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', begin), text.size());
-        counts.push_back(number(std::string_view(text).substr(begin, comma - begin)));
-        begin = comma + 1;
-    }
-    std::ranges::sort(counts);
-    counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
-    return counts;
-}
-
 std::chrono::duration<double> parse_duration(const std::string& text) {
     double value = 0;
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -242,11 +224,15 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     ListOptions list;
     ConvergeOptions converge;
     std::string counts = "16..4096";
+    StudyOptions study;
     ReportOptions report;
     MergeOptions merge;
     add_verify(app, verify);
     add_list(app, list, verbs);
-    if (verbs == VerbSet::shipped) add_converge(app, converge, counts);
+    if (verbs == VerbSet::shipped) {
+        add_converge(app, converge, counts);
+        add_study(app, study);
+    }
     add_report(app, report);
     add_merge(app, merge);
     try {
@@ -261,6 +247,7 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     if (app.got_subcommand("verify")) return verify;
     if (app.got_subcommand("list")) return list;
     if (app.got_subcommand("report")) return report;
+    if (app.got_subcommand("study")) return study;
     if (app.got_subcommand("merge")) return merge;
     return converge;
 }

@@ -55,6 +55,14 @@ struct ConvergeOptions {
     std::string json, report = "out/converge.html";
 };
 
+struct StudyOptions {
+    std::string study;  ///< a file, or the name of a shipped one
+    bool list = false;
+    std::optional<std::uint64_t> seed, replicates;  ///< empty: as the study says
+    int threads = 0;
+    std::string out;  ///< the folder; empty: out/study-NAME
+};
+
 struct ReportOptions {
     std::string store = "out/results.db", report = "out/report.html";
     std::optional<std::int64_t> run, against;  ///< run: empty for the newest
@@ -66,7 +74,8 @@ struct Answered {
     int exit_code = 0;
 };
 
-using Options = std::variant<Answered, VerifyOptions, ListOptions, ConvergeOptions, ReportOptions, MergeOptions>;
+using Options =
+    std::variant<Answered, VerifyOptions, ListOptions, ConvergeOptions, StudyOptions, ReportOptions, MergeOptions>;
 
 /// The verbs that need nothing but a catalogue, or all those of the program that Plumb ships.
 enum class VerbSet { of_a_catalogue, shipped };
@@ -74,8 +83,6 @@ enum class VerbSet { of_a_catalogue, shipped };
 /// Reads the command line; prints help, or a one-line error with the nearest known name, by itself.
 Options parse_options(int argc, const char* const* argv, VerbSet verbs = VerbSet::shipped);
 
-/// "16..65536" (powers of two times the first) or "16,100,1000"; throws Error.
-std::vector<std::uint64_t> parse_sample_counts(const std::string& text);
 /// "90", "90s", "1.5m", "2h"; throws Error.
 std::chrono::duration<double> parse_duration(const std::string& text);
 /// "2/3": the second of three; throws Error.

@@ -42,6 +42,14 @@ TEST(Options, ReadAConvergeLine) {
     EXPECT_EQ(converge.n, (std::vector<std::uint64_t>{16, 32, 64}));
 }
 
+TEST(Options, ReadAStudyLine) {
+    const auto study = std::get<StudyOptions>(parse("study", "mine.toml", "--replicates", "10", "--out", "here"));
+    EXPECT_EQ(study.study, "mine.toml");
+    EXPECT_EQ(study.replicates, 10U);
+    EXPECT_EQ(study.out, "here");
+    EXPECT_TRUE(std::get<StudyOptions>(parse("study", "--list")).list);
+}
+
 TEST(Options, NameTheNearestKnownWord) {
     EXPECT_THAT(complaint("verfy"), testing::HasSubstr("did you mean 'verify'"));
     EXPECT_THAT(complaint("verify", "--aplha", "0.1"), testing::HasSubstr("did you mean '--alpha'"));
@@ -68,14 +76,6 @@ TEST(Options, PutASamplerOnTrial) {
     EXPECT_THAT(complaint("verify", "--sampler", "./s"), testing::HasSubstr("--density"));
     EXPECT_THAT(complaint("verify", "points/*", "--sampler", "./s", "--density", "uniform"),
                 testing::HasSubstr("patterns"));
-}
-
-TEST(ParseSampleCounts, AcceptsRangesAndLists) {
-    EXPECT_EQ(parse_sample_counts("16..100"), (std::vector<std::uint64_t>{16, 32, 64}));
-    EXPECT_EQ(parse_sample_counts("100,10,10"), (std::vector<std::uint64_t>{10, 100}));
-    EXPECT_THROW(parse_sample_counts("0"), Error);
-    EXPECT_THROW(parse_sample_counts("1,,2"), Error);
-    EXPECT_THROW(parse_sample_counts("many"), Error);
 }
 
 TEST(ParseShard, AcceptsAPartOfAWhole) {
