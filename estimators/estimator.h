@@ -28,7 +28,8 @@ struct Estimator {
     bool unbiased = true;
     /// One independent run with n samples (or the nearest count the method can use: Estimate::evaluations tells).
     std::function<Estimate(const Function<D>&, std::uint64_t n, RandomStream&)> run;
-    /// The exponent of the MSE that theory gives for an integrand of this smoothness, as an interval; empty: none known.
+    /// The exponent of the MSE that theory gives for an integrand of this smoothness, as an interval; empty: none
+    /// known.
     std::function<std::optional<Interval>(const Integrand<D>&)> expected_slope;
 };
 

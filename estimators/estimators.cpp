@@ -2,6 +2,7 @@
 #include "estimators/estimator.h"
 #include "estimators/importance_estimators.h"
 #include "estimators/point_set_estimators.h"
+#include "estimators/reweighting_estimators.h"
 
 namespace plumb {
 namespace {
@@ -19,6 +20,7 @@ const std::vector<Estimator<1>>& estimators_1d() {
     static const auto all = joined({
         point_set_estimators_1d(),
         importance_estimators_1d(),
+        reweighting_estimators_1d(),
     });
     return all;
 }

@@ -19,6 +19,7 @@ Catalogue shipped_catalogue() {
     add_debiasing_claims(catalogue);
     add_forecast_claims(catalogue);
     add_calibration_claims(catalogue);
+    add_reweighting_1d_claims(catalogue);
     return catalogue;
 }
 

@@ -23,5 +23,6 @@ void add_roulette_claims(Catalogue& catalogue);
 void add_debiasing_claims(Catalogue& catalogue);
 void add_forecast_claims(Catalogue& catalogue);
 void add_calibration_claims(Catalogue& catalogue);
+void add_reweighting_1d_claims(Catalogue& catalogue);
 
 }  // namespace plumb

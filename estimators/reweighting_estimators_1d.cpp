@@ -1,0 +1,126 @@
+#include "estimators/batches.h"
+#include "estimators/cells_1d.h"
+#include "estimators/control_variate_line.h"
+#include "estimators/density.h"
+#include "estimators/piecewise_strata.h"
+#include "estimators/reweighting_1d.h"
+#include "estimators/reweighting_estimators.h"
+#include "estimators/reweighting_slopes_1d.h"
+#include "estimators/samples_1d.h"
+#include "estimators/tent.h"
+#include "estimators/warp.h"
+
+namespace plumb {
+namespace {
+
+using Samples = std::vector<double> (*)(std::uint64_t, RandomStream&);
+using Weights = std::vector<double> (*)(std::span<const double>);
+using RunOn = std::function<Estimate(const Function<1>&, std::uint64_t, RandomStream&)>;
+
+Estimate weighted_sum(const Function<1>& f, std::span<const double> samples, std::span<const double> weights) {
+    Estimate estimate{.evaluations = samples.size()};
+    for (std::size_t i = 0; i < samples.size(); ++i) estimate.value += weights[i] * f({samples[i]});
+    return estimate;
+}
+
+RunOn cells(Samples draw, Weights weigh) {
+    return [draw, weigh](const Function<1>& f, std::uint64_t n, RandomStream& random) {
+        const std::vector<double> samples = draw(n, random);
+        return weighted_sum(f, samples, weigh(samples));
+    };
+}
+
+RunOn folded(RunOn run) {
+    return [run = std::move(run)](const Function<1>& f, std::uint64_t n, RandomStream& random) {
+        return run([&f](const Point<1>& u) { return f(tent(u)); }, n, random);
+    };
+}
+
+RunOn through_ramp(RunOn run) {
+    return
+        [run = std::move(run), density = LinearDensity(0.5, 1.5)](
+            const Function<1>& f, std::uint64_t n, RandomStream& random) { return run(warped(f, density), n, random); };
+}
+
+StepDensity four_steps() {
+    return StepDensity::equal_pieces({1, 2, 3, 4});
+}
+
+std::optional<Interval> slope_of_independent_batches(const Integrand<1>& f) {
+    return f.smoothness == Smoothness::singular ? std::optional<Interval>{} : Interval{-1.1, -0.9};
+}
+
+Estimate run_trapezoid(const Function<1>& f, std::uint64_t n, RandomStream& random) {
+    std::vector<double> nodes = independent_samples_1d(n, random);
+    const std::vector<double> weights = trapezoid_weights_1d(nodes);
+    nodes.insert(nodes.end(), {0, 1});
+    return weighted_sum(f, nodes, weights);
+}
+
+Estimate run_control_variate(const Function<1>& f, std::uint64_t n, RandomStream& random) {
+    return control_variate_estimate_1d(f, independent_samples_1d(n, random));
+}
+
+Estimate run_density_reweighted(const Function<1>& f, std::uint64_t n, RandomStream& random) {
+    static const StepDensity density = four_steps();
+    std::vector<double> samples = independent_samples_1d(n, random);
+    for (double& x : samples) x = density.sample(x);
+    return weighted_sum(f, samples, density_reweighted_weights_1d(samples, density));
+}
+
+Estimate run_piecewise_strata(const Function<1>& f, std::uint64_t n, RandomStream& random) {
+    static const StepDensity density = four_steps();
+    return piecewise_strata_estimate(f, density, stratum_counts(density, n), random);
+}
+
+Estimate run_batches_of_16(const Function<1>& f, std::uint64_t n, RandomStream& random) {
+    const auto reweighted = cells(independent_samples_1d, reweighted_weights_1d);
+    return mean_of_batches([&](std::uint64_t size, RandomStream& r) { return reweighted(f, size, r); }, n,
+                           std::max<std::uint64_t>(1, n / 16), random);
+}
+
+}  // namespace
+
+std::vector<Estimator<1>> reweighting_estimators_1d() {
+    const RunOn reweighted = cells(independent_samples_1d, reweighted_weights_1d);
+    const RunOn torus = cells(independent_samples_1d, torus_weights_1d);
+    const RunOn stratified_torus = cells(jittered_samples_1d, torus_weights_1d);
+    const RunOn voronoi = cells(independent_samples_1d, voronoi_weights_1d);
+    return {
+        {"voronoi", "Independent samples weighted with their Voronoi cells, clipped to [0,1].", "thesis, eq. 4.4",
+         false, voronoi, clipped_slope_1d},
+        {"reweighted", "Independent samples, Voronoi cells over their expected length g.", "thesis, eq. 4.8", true,
+         reweighted, divided_slope_1d},
+        {"torus", "Independent samples weighted with their cells on the circle.", "ours, estimators/cells_1d.h", true,
+         torus, torus_slope_1d},
+        {"torus-tent", "Cells on the circle, the integrand folded by the tent map.", "ours, estimators/tent.h", true,
+         folded(torus), tent_slope_1d},
+        {"control-variate-line",
+         "Reweighted estimate of f minus the line through its end values, plus the line's integral.",
+         "ours, estimators/control_variate_line.h", true, run_control_variate, clipped_slope_1d},
+        {"stratified-reweighted", "One jittered sample a stratum, Voronoi cells over their expected length.",
+         "ours, analytic/cell_weight.h", true, cells(jittered_samples_1d, stratified_reweighted_weights_1d),
+         divided_slope_1d},
+        {"stratified-torus", "One jittered sample a stratum, cells on the circle.", "ours, estimators/cells_1d.h", true,
+         stratified_torus, torus_slope_1d},
+        {"stratified-torus-tent",
+         "One jittered sample a stratum, cells on the circle, the integrand folded by the tent map.",
+         "ours, estimators/tent.h", true, folded(stratified_torus), tent_slope_1d},
+        {"yakowitz-trapezoid", "The trapezoidal rule on independent samples and both ends.", "Yakowitz et al. 1978",
+         false, run_trapezoid, clipped_slope_1d},
+        {"yakowitz-nearest", "The nearest-neighbour rule on independent samples; in one dimension the same as voronoi.",
+         "Yakowitz et al. 1978", false, voronoi, clipped_slope_1d},
+        {"warp-reweighted", "Reweighting in the primary sample of the density p(x) = 1/2 + x.",
+         "ours, estimators/warp.h", true, through_ramp(reweighted), divided_slope_1d},
+        {"warp-torus-tent", "Torus and tent in the primary sample of the density p(x) = 1/2 + x.",
+         "ours, estimators/warp.h", true, through_ramp(folded(torus)), tent_slope_1d},
+        {"density-reweighted", "Samples of a density of four steps, Voronoi cells over g p.",
+         "ours, analytic/cell_weight_density.h", true, run_density_reweighted, stepped_density_slope_1d},
+        {"piecewise-strata", "Samples of a density of four steps, fixed counts a step, each step reweighted by itself.",
+         "thesis, section 4.4.4", true, run_piecewise_strata, stepped_density_slope_1d},
+        {"reweighted-batches-16", "The mean of independent reweighted batches of about 16 samples.",
+         "thesis, section 4.5.1", true, run_batches_of_16, slope_of_independent_batches},
+    };
+}
+
+}  // namespace plumb
