@@ -2,6 +2,7 @@
 #
 #   plumb_library(NAME SOURCES… [DEPENDS targets…])   a folder's target plumb::NAME
 #   plumb_test(NAME SOURCES… [DEPENDS targets…])      its unit tests, one executable, each test known to ctest
+#   plumb_heavy_sources(TARGET SOURCES… [DEPENDS targets…])   units of TARGET that need about 1 GB each to compile
 #
 # Compile time is a budget (2 cores): one precompiled header for the libraries, one for the tests, and a ninja pool
 # of depth 1 for the units that need about 1 GB each (CGAL).
@@ -74,10 +75,13 @@ function(plumb_test name)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
 endfunction()
 
-# Units that need much memory (CGAL): compiled one at a time, without the precompiled header's flags in their way.
+# Units that need much memory (CGAL) become part of a target, compiled one at a time and without the precompiled header:
+# the libraries in DEPENDS, which the rest of the target does not see, bring flags of their own.
 function(plumb_heavy_sources target)
-  add_library(${target}_heavy OBJECT ${ARGN})
-  target_link_libraries(${target}_heavy PRIVATE $<TARGET_PROPERTY:${target},LINK_LIBRARIES>)
-  set_property(TARGET ${target}_heavy PROPERTY JOB_POOL_COMPILE heavy)
+  cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
+  add_library(${target}_heavy OBJECT ${arg_UNPARSED_ARGUMENTS})
+  target_link_libraries(${target}_heavy PRIVATE plumb_options ${arg_DEPENDS})
+  set_target_properties(${target}_heavy PROPERTIES JOB_POOL_COMPILE heavy)
   target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_heavy>)
+  target_link_libraries(${target} PRIVATE ${arg_DEPENDS})
 endfunction()

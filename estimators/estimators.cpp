@@ -3,6 +3,7 @@
 #include "estimators/importance_estimators.h"
 #include "estimators/point_set_estimators.h"
 #include "estimators/reweighting_estimators.h"
+#include "estimators/reweighting_estimators_2d.h"
 
 namespace plumb {
 namespace {
@@ -29,6 +30,7 @@ const std::vector<Estimator<2>>& estimators_2d() {
     static const auto all = joined({
         point_set_estimators_2d(),
         importance_estimators_2d(),
+        reweighting_estimators_2d(),
     });
     return all;
 }

@@ -11,6 +11,7 @@ Catalogue shipped_catalogue() {
     add_point_variance_claims(catalogue);
     add_point_rate_claims(catalogue);
     add_error_bar_claims(catalogue);
+    add_reweighting_2d_claims(catalogue);
     add_density_claims(catalogue);
     add_exact_mis_claims(catalogue);
     add_mis_claims(catalogue);

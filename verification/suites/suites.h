@@ -15,6 +15,7 @@ void add_point_set_claims(Catalogue& catalogue);
 void add_point_variance_claims(Catalogue& catalogue);
 void add_point_rate_claims(Catalogue& catalogue);
 void add_error_bar_claims(Catalogue& catalogue);
+void add_reweighting_2d_claims(Catalogue& catalogue);
 void add_density_claims(Catalogue& catalogue);
 void add_exact_mis_claims(Catalogue& catalogue);
 void add_mis_claims(Catalogue& catalogue);
