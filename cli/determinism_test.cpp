@@ -11,8 +11,7 @@ namespace {
 
 std::string verdicts(int threads) {
     const Catalogue catalogue = shipped_catalogue();
-    const RunSetting setting{
-        .seed = 20240229, .patterns = {"points/*", "debiasing/*"}, .threads = threads};
+    const RunSetting setting{.seed = 20240229, .patterns = {"points/*", "debiasing/*"}, .threads = threads};
     Results results;
     for (Judged& one : judge(catalogue, setting, [](const Judged&, std::size_t, std::size_t) {})) {
         for (Series& series : one.verdict.series)

@@ -10,56 +10,60 @@
 namespace plumb {
 namespace {
 
-// Exponents of the MSE, with a quarter to either side for what is not yet asymptotic. A cell at a jump errs by its area
-// 1/N, and √N cells lie there: √N · N^-2; at a kink by N^-1 · N^-1/2: √N · N^-3; N cells of a smooth f by a second
-// difference each: N · N^-4. docs/statistics.md, "Rates".
-constexpr Interval at_jump{-1.75, -1.25}, at_kink{-2.75, -2.25}, smooth{-3.25, -2.75};
-
 using Slope2D = std::optional<Interval>;
+
+// Exponents of the MSE, with a quarter to either side for what is not yet asymptotic. A cell at a jump errs by its area
+// 1/N, and √N cells lie there: √N · N^-2; at a root by N^-1 · N^-1/4, at a kink by N^-1 · N^-1/2; N cells of a smooth f
+// by a second difference each: N · N^-4. docs/statistics.md, "Rates".
+constexpr double jump = -1.5, root = -2, kink = -2.5, smooth = -3;
+
+/// Between two exponents: the steeper and the flatter.
+Interval between(double steep, double flat) {
+    return {steep - 0.25, flat + 0.25};
+}
+
+double exponent_at(Smoothness smoothness) {
+    switch (smoothness) {
+        case Smoothness::analytic: return smooth;
+        case Smoothness::kink: return kink;
+        case Smoothness::root: return root;
+        case Smoothness::jump: return jump;
+        case Smoothness::singular: return 0;
+    }
+    throw std::logic_error("a Smoothness outside its enumeration");
+}
+
+bool has_slope(const Integrand<2>& f) {
+    return f.smoothness != Smoothness::singular && f.variance_value() > 0;
+}
 
 /// What counts is the smoothness on the torus, where the interior's defects are seen too.
 Slope2D torus_slope(const Integrand<2>& f) {
-    switch (std::max(f.smoothness, f.periodic_smoothness)) {
-        case Smoothness::analytic: return smooth;
-        case Smoothness::kink: return at_kink;
-        case Smoothness::jump: return at_jump;
-        case Smoothness::singular: return {};
-    }
-    throw std::logic_error("a Smoothness outside its enumeration");
+    if (!has_slope(f)) return {};
+    const double exponent = exponent_at(std::max(f.smoothness, f.periodic_smoothness));
+    return between(exponent, exponent);
 }
 
 /// φ leaves no jump along the boundary, but a kink unless the normal derivative vanishes there.
 Slope2D tent_slope(const Integrand<2>& f) {
-    switch (f.smoothness) {
-        case Smoothness::analytic: return Interval{smooth.low, at_kink.high};
-        case Smoothness::kink: return at_kink;
-        case Smoothness::jump: return at_jump;
-        case Smoothness::singular: return {};
-    }
-    throw std::logic_error("a Smoothness outside its enumeration");
+    if (!has_slope(f)) return {};
+    const double exponent = exponent_at(f.smoothness);
+    return between(exponent, std::max(exponent, kink));
 }
 
 /// The bias of the boundary's cells is of order N^-1, its factor the integral of the normal derivative along the
-/// boundary: N^-2 in squares, up to the smooth N^-3 where that integral vanishes.
+/// boundary: N^-2 in squares, unless that integral vanishes.
 Slope2D clipped_slope(const Integrand<2>& f) {
-    switch (f.smoothness) {
-        case Smoothness::analytic: return Interval{smooth.low, -1.75};
-        case Smoothness::kink: return Interval{at_kink.low, -1.75};
-        case Smoothness::jump: return at_jump;
-        case Smoothness::singular: return {};
-    }
-    throw std::logic_error("a Smoothness outside its enumeration");
+    if (!has_slope(f)) return {};
+    const double exponent = exponent_at(f.smoothness);
+    return between(exponent, std::max(exponent, -2.0));
 }
 
-/// Divided by g, a boundary cell keeps a random factor of order 1, as at a jump from f to 0 along the boundary.
+/// Divided by g, a boundary cell keeps a random factor of order 1, as at a jump from f to 0 along the boundary: the
+/// slope of a jump unless f vanishes there, which a continuous periodic extension allows.
 Slope2D divided_slope(const Integrand<2>& f) {
-    switch (std::max(f.smoothness, f.periodic_smoothness)) {
-        case Smoothness::analytic:
-        case Smoothness::kink: return Interval{at_kink.low, at_jump.high};  // f may vanish along the boundary, or not
-        case Smoothness::jump: return at_jump;
-        case Smoothness::singular: return {};
-    }
-    throw std::logic_error("a Smoothness outside its enumeration");
+    if (f.smoothness == Smoothness::singular) return {};
+    return between(std::max(exponent_at(std::max(f.smoothness, f.periodic_smoothness)), kink), jump);
 }
 
 /// One table for each number of samples, built when first asked for; threads may ask at once.

@@ -104,11 +104,12 @@ MeanTest::Decision MeanTest::add(std::span<const double> block) {
     if (moments_.count() < setting_.min_samples) return Decision::none;
     const bool calm = tails_allow_a_decision();
     if ((calm ? max_log_claim_ : max_log_exact_) >= -std::log(setting_.alpha)) return Decision::refuted;
-    const auto excluded = [&](const Bet& bet, double max_log) {
-        return std::isinf(bet.m) || ((calm || is_exact(bet)) && max_log >= -std::log(setting_.beta));
-    };
-    if (excluded(against_large_, max_log_large_) && excluded(against_small_, max_log_small_)) return Decision::holds;
+    if (excludes(against_large_, max_log_large_) && excludes(against_small_, max_log_small_)) return Decision::holds;
     return Decision::none;
+}
+
+bool MeanTest::excludes(const Bet& bet, double max_log) const {
+    return std::isinf(bet.m) || ((tails_allow_a_decision() || is_exact(bet)) && max_log >= -std::log(setting_.beta));
 }
 
 double MeanTest::p_value() const {
@@ -140,7 +141,12 @@ Interval MeanTest::mean_interval() const {
     const double rho2 = setting_.delta * setting_.delta / (10 * variance);
     const double a = n * rho2 + 1;
     const double half = std::sqrt(variance * 2 * a / (n * n * rho2) * std::log(std::sqrt(a) / setting_.beta));
-    return std::isfinite(half) ? Interval{moments_.mean() - half, moments_.mean() + half} : Interval{};
+    if (!std::isfinite(half)) return {};
+    Interval interval{moments_.mean() - half, moments_.mean() + half};
+    // What the bets have excluded, each end at risk beta, sharpens it.
+    if (excludes(against_large_, max_log_large_)) interval.high = std::min(interval.high, setting_.resolved.high);
+    if (excludes(against_small_, max_log_small_)) interval.low = std::max(interval.low, setting_.resolved.low);
+    return interval;
 }
 
 }  // namespace plumb

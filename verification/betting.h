@@ -62,6 +62,7 @@ private:
         double log_wealth = 0;
     };
     [[nodiscard]] bool is_exact(const Bet& bet) const { return bet.scale > 0 ? exact_below_ : exact_above_; }
+    [[nodiscard]] bool excludes(const Bet& bet, double max_log) const;
     [[nodiscard]] double log_evidence(bool exact_bets_only) const;
     [[nodiscard]] double variance_guess() const;
     void play(std::span<const double> block);

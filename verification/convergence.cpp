@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "core/moments.h"
 #include "core/parallel.h"
@@ -58,16 +59,17 @@ ConvergencePoint measure_point(const Replicate& replicate, double truth, std::ui
 
 }  // namespace
 
+// Deterministic methods leave no error of their MSE: their points weigh the same and the slope has no interval.
 Slope fit_slope(const std::vector<ConvergencePoint>& points, double level) {
-    double weight = 0, x_mean = 0, y_mean = 0;
-    const auto usable = [](const ConvergencePoint& p) {
-        return p.mse > 0 && p.log_mse_error > 0 && std::isfinite(p.log_mse_error);
-    };
+    const auto known = [](const ConvergencePoint& p) { return p.log_mse_error > 0 && std::isfinite(p.log_mse_error); };
+    const bool weighted = std::ranges::any_of(points, known);
     const auto each = [&](auto&& use) {
         for (const ConvergencePoint& p : points)
-            if (usable(p))
-                use(std::log(static_cast<double>(p.n)), std::log(p.mse), 1 / (p.log_mse_error * p.log_mse_error));
+            if (p.mse > 0 && std::isfinite(p.mse) && (!weighted || known(p)))
+                use(std::log(static_cast<double>(p.n)), std::log(p.mse),
+                    weighted ? 1 / (p.log_mse_error * p.log_mse_error) : 1);
     };
+    double weight = 0, x_mean = 0, y_mean = 0, xx = 0, xy = 0;
     each([&](double x, double y, double w) {
         weight += w;
         x_mean += w * x;
@@ -75,13 +77,12 @@ Slope fit_slope(const std::vector<ConvergencePoint>& points, double level) {
     });
     x_mean /= weight;
     y_mean /= weight;
-    double xx = 0, xy = 0;
     each([&](double x, double y, double w) {
         xx += w * (x - x_mean) * (x - x_mean);
         xy += w * (x - x_mean) * (y - y_mean);
     });
     if (!(xx > 0)) return {};
-    Slope slope{xy / xx, std::sqrt(1 / xx), {}};
+    Slope slope{xy / xx, weighted ? std::sqrt(1 / xx) : std::numeric_limits<double>::infinity(), {}};
     const double half = normal_upper_quantile((1 - level) / 2) * slope.standard_error;
     slope.interval = {slope.value - half, slope.value + half};
     return slope;

@@ -54,6 +54,9 @@ TEST(FitSlope, IsExactOnAPowerLaw) {
         p.log_mse_error = 0.1;
     }
     EXPECT_NEAR(fit_slope(points, 0.95).value, -1.5, 1e-12);
+    for (ConvergencePoint& p : points) p.log_mse_error = 0;  // a deterministic method
+    EXPECT_NEAR(fit_slope(points, 0.95).value, -1.5, 1e-12);
+    EXPECT_FALSE(fit_slope(points, 0.95).interval.bounded());
     points.resize(1);
     EXPECT_TRUE(std::isnan(fit_slope(points, 0.95).value));
 }
