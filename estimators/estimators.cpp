@@ -2,7 +2,7 @@
 #include "estimators/estimator.h"
 #include "estimators/importance_estimators.h"
 #include "estimators/point_set_estimators.h"
-#include "estimators/reweighting_estimators.h"
+#include "estimators/reweighting_estimators_1d.h"
 #include "estimators/reweighting_estimators_2d.h"
 
 namespace plumb {

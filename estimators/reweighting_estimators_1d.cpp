@@ -1,10 +1,11 @@
+#include "estimators/reweighting_estimators_1d.h"
+
 #include "estimators/batches.h"
 #include "estimators/cells_1d.h"
 #include "estimators/control_variate_line.h"
 #include "estimators/density.h"
 #include "estimators/piecewise_strata.h"
 #include "estimators/reweighting_1d.h"
-#include "estimators/reweighting_estimators.h"
 #include "estimators/reweighting_slopes_1d.h"
 #include "estimators/samples_1d.h"
 #include "estimators/tent.h"

@@ -3,7 +3,7 @@
 
 #include "estimators/cells_1d.h"
 #include "estimators/reweighting_1d.h"
-#include "estimators/reweighting_estimators.h"
+#include "estimators/reweighting_estimators_1d.h"
 #include "estimators/samples_1d.h"
 #include "estimators/tent.h"
 #include "verification/rate.h"
