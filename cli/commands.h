@@ -8,6 +8,8 @@ namespace plumb {
 int verify(const VerifyOptions& options);
 int list(const ListOptions& options);
 int converge(const ConvergeOptions& options);
+int integrate(const IntegrateOptions& options);
+int weights(const WeightsOptions& options);
 int report(const ReportOptions& options);
 
 }  // namespace plumb

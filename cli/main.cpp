@@ -12,6 +12,8 @@ struct Dispatch {
     int operator()(const plumb::VerifyOptions& options) const { return plumb::verify(options); }
     int operator()(const plumb::ListOptions& options) const { return plumb::list(options); }
     int operator()(const plumb::ConvergeOptions& options) const { return plumb::converge(options); }
+    int operator()(const plumb::IntegrateOptions& options) const { return plumb::integrate(options); }
+    int operator()(const plumb::WeightsOptions& options) const { return plumb::weights(options); }
     int operator()(const plumb::ReportOptions& options) const { return plumb::report(options); }
 };
 

@@ -82,6 +82,57 @@ void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) 
     verb->footer("Example: plumb converge independent torus-tent --on exp --n 16..4096");
 }
 
+void add_domain(CLI::App* verb, std::vector<double>& domain) {
+    verb->add_option_function<std::string>(
+            "--domain", [&](const std::string& text) { domain = parse_domain(text); },
+            "both ends of each axis: x0,x1 or x0,x1,y0,y1; the unit interval or square when not given")
+        ->check(checked(parse_domain));
+}
+
+void add_integrate(CLI::App& app, IntegrateOptions& options) {
+    CLI::App* verb = app.add_subcommand("integrate", "Integrate a formula, an image or samples of your own");
+    verb->add_option("what", options.what,
+                     "a formula of x (and y), @id of a shipped integrand, an image, or CSV files of samples x[,y],f")
+        ->required();
+    verb->add_option("--method", options.method,
+                     "see plumb list estimators [sobol-owen]; for samples: voronoi [default], torus, reweighted (1D), "
+                     "stratified-reweighted (1D), voronoi-reweighted (2D), independent");
+    CLI::Option* n = verb->add_option("--n", options.n, "samples a run [1024]");
+    n->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 32));
+    verb->add_option_function<std::string>(
+            "--error", [&](const std::string& text) { options.error = parse_error_target(text); },
+            "instead of --n: double n until the standard error is at most this, 1e-3 or 1%")
+        ->check(checked(parse_error_target))
+        ->excludes(n);
+    verb->add_option("--replicates", options.replicates, "independent runs, whose spread gives the error")
+        ->check(CLI::Range(16, 1'000'000))
+        ->capture_default_str();
+    verb->add_option("--max-evaluations", options.max_evaluations, "where --error gives up")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 48))
+        ->capture_default_str();
+    verb->add_option("--batches", options.batches, "cut a file of independent samples into this many sets")
+        ->check(CLI::Range(2, 1'000'000));
+    add_domain(verb, options.domain);
+    verb->add_option("--channel", options.channel, "of an image, or luminance; all when not given");
+    verb->add_option("--lookup", options.lookup, "in an image: nearest [default] or bilinear")
+        ->check(CLI::IsMember({"nearest", "bilinear"}));
+    add_seed_and_threads(verb, options.seed, options.threads);
+    verb->add_option("--json", options.json, "write the answers as JSON to this file");
+    verb->add_option("--report", options.report, "the page with the convergence plot")->capture_default_str();
+    verb->footer(
+        "Exit code: 0, or 3 when the target was missed, 2 usage or input error.\n\n"
+        "Example: plumb integrate 'exp(x)*sin(3*y)' --method torus-tent --error 0.1%");
+}
+
+void add_weights(CLI::App& app, WeightsOptions& options) {
+    CLI::App* verb = app.add_subcommand("weights", "Weigh your own points by their Voronoi cells");
+    verb->add_option("points", options.points, "a CSV file with columns x or x,y")->required();
+    verb->add_flag("--periodic", options.periodic, "on the torus: opposite ends are one place");
+    add_domain(verb, options.domain);
+    verb->add_option("-o,--output", options.out, "where the CSV goes; standard output when not given");
+    verb->footer("Example: plumb weights points.csv --periodic -o weights.csv");
+}
+
 void add_report(CLI::App& app, ReportOptions& options) {
     CLI::App* verb = app.add_subcommand("report", "Rebuild the report of a stored run");
     verb->add_option("--run", options.run, "the run's number; the newest when not given");
@@ -152,6 +203,36 @@ std::chrono::duration<double> parse_duration(const std::string& text) {
     return std::chrono::duration<double>(value * scale);
 }
 
+ErrorTarget parse_error_target(const std::string& text) {
+    ErrorTarget target;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), target.error);
+    const std::string_view unit(end, text.data() + text.size());
+    target.relative = unit == "%";
+    if (failure != std::errc() || !(unit.empty() || target.relative) || !(target.error > 0) ||
+        !std::isfinite(target.error))
+        throw Error(fmt::format("'{}' is not an error; accepted: 1e-3, or 1% of the value", text));
+    if (target.relative) target.error /= 100;
+    return target;
+}
+
+std::vector<double> parse_domain(const std::string& text) {
+    std::vector<double> ends;
+    std::string_view rest = text;
+    for (bool comma = true; comma;) {
+        const auto [end, failure] = std::from_chars(rest.data(), rest.data() + rest.size(), ends.emplace_back());
+        if (failure != std::errc()) break;
+        rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+        comma = rest.starts_with(',');
+        rest.remove_prefix(comma ? 1 : 0);
+    }
+    bool good = rest.empty() && !text.ends_with(',') && (ends.size() == 2 || ends.size() == 4);
+    for (std::size_t i = 0; good && i < ends.size(); i += 2)
+        good = ends[i] < ends[i + 1] && std::isfinite(ends[i + 1] - ends[i]);
+    if (!good)
+        throw Error(fmt::format("'{}' is not a domain; accepted: x0,x1 or x0,x1,y0,y1 with x0 < x1, y0 < y1", text));
+    return ends;
+}
+
 Options parse_options(int argc, const char* const* argv) {
     CLI::App app("Plumb decides whether a Monte Carlo estimator is true.", "plumb");
     app.set_version_flag("--version", std::string(version));
@@ -161,10 +242,14 @@ Options parse_options(int argc, const char* const* argv) {
     ListOptions list;
     ConvergeOptions converge;
     std::string counts = "16..4096";
+    IntegrateOptions integrate;
+    WeightsOptions weights;
     ReportOptions report;
     add_verify(app, verify);
     add_list(app, list);
     add_converge(app, converge, counts);
+    add_integrate(app, integrate);
+    add_weights(app, weights);
     add_report(app, report);
     try {
         app.parse(argc, argv);
@@ -178,6 +263,8 @@ Options parse_options(int argc, const char* const* argv) {
     if (app.got_subcommand("verify")) return verify;
     if (app.got_subcommand("list")) return list;
     if (app.got_subcommand("converge")) return converge;
+    if (app.got_subcommand("integrate")) return integrate;
+    if (app.got_subcommand("weights")) return weights;
     return report;
 }
 

@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "estimators/integration.h"
+
 namespace plumb {
 
 struct VerifyOptions {
@@ -33,6 +35,26 @@ struct ConvergeOptions {
     std::string json, report = "out/converge.html";
 };
 
+struct IntegrateOptions {
+    std::vector<std::string> what;  ///< a formula, @id, an image, or files of samples
+    std::optional<std::string> method;
+    std::optional<std::uint64_t> n;    ///< samples a run
+    std::optional<ErrorTarget> error;  ///< instead of n
+    std::uint64_t replicates = 32, max_evaluations = 100'000'000;
+    std::optional<std::uint64_t> batches;  ///< how many sets a file of samples is cut into
+    std::vector<double> domain;            ///< x0, x1[, y0, y1]; empty: the unit cube
+    std::optional<std::string> channel, lookup;
+    std::optional<std::uint64_t> seed;
+    int threads = 0;
+    std::string json, report = "out/integrate.html";
+};
+
+struct WeightsOptions {
+    std::string points, out;     ///< out: empty for standard output
+    bool periodic = false;       ///< 0 and 1 are one place
+    std::vector<double> domain;  ///< as above
+};
+
 struct ReportOptions {
     std::string store = "out/results.db", report = "out/report.html";
     std::optional<std::int64_t> run, against;  ///< run: empty for the newest
@@ -44,7 +66,8 @@ struct Answered {
     int exit_code = 0;
 };
 
-using Options = std::variant<Answered, VerifyOptions, ListOptions, ConvergeOptions, ReportOptions>;
+using Options = std::variant<Answered, VerifyOptions, ListOptions, ConvergeOptions, IntegrateOptions, WeightsOptions,
+                             ReportOptions>;
 
 /// Reads the command line; prints help, or a one-line error with the nearest known name, by itself.
 Options parse_options(int argc, const char* const* argv);
@@ -53,5 +76,10 @@ Options parse_options(int argc, const char* const* argv);
 std::vector<std::uint64_t> parse_sample_counts(const std::string& text);
 /// "90", "90s", "1.5m", "2h"; throws Error.
 std::chrono::duration<double> parse_duration(const std::string& text);
+
+/// "1e-3" (absolute) or "1%" (relative); throws Error.
+ErrorTarget parse_error_target(const std::string& text);
+/// "0,1" or "0,2,-1,1": both ends of each axis; throws Error.
+std::vector<double> parse_domain(const std::string& text);
 
 }  // namespace plumb
