@@ -1,29 +1,29 @@
 #include "analytic/image.h"
 
-#include <OpenImageIO/imageio.h>
-#include <fmt/format.h>
+#include <dlfcn.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "analytic/image_reader.h"
 #include "core/error.h"
 
 namespace plumb {
 namespace {
 
-Error unreadable(const std::filesystem::path& file, std::string why) {
-    std::ranges::replace(why, '\n', ' ');
-    return Error(fmt::format("{}: not a readable image: {}", file.string(), why));
+// Beside the program, where the build leaves it, in an installed program's ../lib, or where the system looks.
+void* loaded_module() {
+    std::error_code ignored;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
+    const std::filesystem::path name = "libplumb_image_reader.so";
+    for (const auto& path : {program / name, program / "../analytic" / name, program / "../lib" / name, name})
+        if (void* const module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) return module;
+    throw Error(fmt::format("images cannot be read: {}", ::dlerror()));
 }
 
-void check_layout(const std::filesystem::path& file, const OIIO::ImageSpec& spec) {
-    if (spec.deep) throw unreadable(file, "it is a deep image; accepted are images with one value a channel");
-    if (spec.width < 1 || spec.height < 1 || spec.depth != 1 || spec.nchannels < 1)
-        throw unreadable(file, fmt::format("it has {} × {} × {} pixels of {} channels; accepted are flat images",
-                                           spec.width, spec.height, spec.depth, spec.nchannels));
-    if (spec.image_pixels() > (std::uint64_t{1} << 30) / static_cast<std::uint64_t>(spec.nchannels))
-        throw unreadable(file, fmt::format("{} × {} pixels of {} channels; accepted are 2^30 numbers", spec.width,
-                                           spec.height, spec.nchannels));
+decltype(&plumb_decode_image) image_reader() {
+    static void* const module = loaded_module();
+    return reinterpret_cast<decltype(&plumb_decode_image)>(::dlsym(module, "plumb_decode_image"));
 }
 
 void check_values(const std::filesystem::path& file, const Image& image) {
@@ -39,29 +39,13 @@ void check_values(const std::filesystem::path& file, const Image& image) {
 
 Image read_image(const std::filesystem::path& file) {
     if (!std::filesystem::exists(file)) throw Error(fmt::format("{}: there is no such file", file.string()));
-    const auto input = OIIO::ImageInput::open(file.string());
-    if (!input) throw unreadable(file, OIIO::geterror());
-    const OIIO::ImageSpec& spec = input->spec();
-    check_layout(file, spec);
-    Image image{spec.width, spec.height, spec.channelnames, {}};
-    image.values.resize(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data()))
-        throw unreadable(file, input->geterror());
-    // some readers fill what is missing and only complain
-    if (input->has_error()) throw unreadable(file, input->geterror());
+    Image image;
+    std::string why;
+    image_reader()(file.c_str(), &image, &why);
+    std::ranges::replace(why, '\n', ' ');
+    if (!why.empty()) throw Error(fmt::format("{}: not a readable image: {}", file.string(), why));
     check_values(file, image);
     return image;
-}
-
-bool has_image_extension(std::string_view name) {
-    const std::size_t dot = name.rfind('.');
-    if (dot == std::string_view::npos || dot + 1 == name.size()) return false;
-    std::string extension(name.substr(dot + 1));
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    // "openexr:exr,sxr,mxr;tiff:tif,tiff,…"
-    std::string known = OIIO::get_string_attribute("extension_list");
-    std::ranges::replace_if(known, [](char c) { return c == ':' || c == ';'; }, ',');
-    return ("," + known + ",").find("," + extension + ",") != std::string::npos;
 }
 
 }  // namespace plumb

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace plumb {
@@ -24,8 +23,5 @@ struct Image {
 /// Decodes any format that OpenImageIO reads. Throws Error naming the file when there is none, when it is not an image,
 /// truncated, deep, of three dimensions or larger than 2^30 numbers, and naming the pixel whose value is not finite.
 Image read_image(const std::filesystem::path& file);
-
-/// Whether the name ends as those of image files do (".exr", ".png", …), whatever lies there.
-bool has_image_extension(std::string_view name);
 
 }  // namespace plumb

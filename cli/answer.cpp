@@ -69,7 +69,9 @@ ListRow row_of(const Answer& a) {
 }  // namespace
 
 Series series_of(const std::vector<Runs>& sets, const Answer& answer) {
-    Series series{.estimator = answer.method, .integrand = answer.integrand};
+    Series series;
+    series.estimator = answer.method;
+    series.integrand = answer.integrand;
     if (!answer.exact) series.integrand += " (variance; the integral is not known)";
     for (const Runs& runs : sets) {
         series.replicates = std::max<std::uint64_t>(series.replicates, runs.estimates.size());

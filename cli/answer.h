@@ -13,10 +13,10 @@ namespace plumb {
 /// One integral as `plumb integrate` tells it.
 struct Answer {
     std::string integrand, method;
-    Estimate estimate;                  ///< evaluations: those of the answer alone
+    Estimate estimate = {};             ///< evaluations: those of the answer alone
     std::uint64_t n = 0, runs = 1;      ///< samples a run, independent runs
     std::uint64_t all_evaluations = 0;  ///< with those that chose n and drew the plot
-    std::optional<double> exact, target;
+    std::optional<double> exact = {}, target = {};
     bool target_met = true;
     std::vector<std::string> known = {};  ///< sentences: what the error contains and what not
     std::optional<Series> series = {};

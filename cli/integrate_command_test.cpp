@@ -1,4 +1,3 @@
-#include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -102,23 +101,21 @@ TEST_F(IntegrateCommand, DeterministicMethodsHaveNoError) {
 }
 
 TEST_F(IntegrateCommand, IntegratesAnImage) {
-    OIIO::ImageSpec spec(16, 8, 3, OIIO::TypeDesc::FLOAT);
-    std::vector<float> pixels(16 * 8 * 3);
-    for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<float>(i % 7);
-    auto out = OIIO::ImageOutput::create((folder / "p.exr").string());
-    ASSERT_TRUE(out && out->open((folder / "p.exr").string(), spec) && out->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && out->close());
+    std::string pixels;
+    for (int i = 0; i < 16 * 8 * 3; ++i) pixels += static_cast<char>(i % 7 * 20);
+    write("p.ppm", "P6\n16 8\n255\n" + pixels);
     for (const char* lookup : {"", " --lookup bilinear"}) {
-        const Json all = answers(std::string("p.exr --method stratified --n 256 --seed 1") + lookup)["answers"];
+        const Json all = answers(std::string("p.ppm --method stratified --n 100 --seed 1") + lookup)["answers"];
         ASSERT_EQ(all.size(), 4u);  // R, G, B and luminance
         for (const Json& one : all) expect_near(one, one["exact"].get<double>());
         double red = 0;
-        for (std::size_t i = 0; i < pixels.size(); i += 3) red += pixels[i] / 128;
+        for (std::size_t i = 0; i < pixels.size(); i += 3) red += pixels[i] / 255.0 / 128;
         EXPECT_NEAR(all[0]["exact"].get<double>(), red, 1e-6);
     }
-    EXPECT_EQ(answers("p.exr --channel luminance --n 64")["answers"].size(), 1u);
-    EXPECT_THAT(complaint("integrate p.exr --channel Z"), HasSubstr("unknown channel 'Z'"));
-    std::filesystem::resize_file(folder / "p.exr", 400);
-    EXPECT_THAT(complaint("integrate p.exr"), HasSubstr("p.exr: not a readable image"));
+    EXPECT_EQ(answers("p.ppm --channel luminance --n 64")["answers"].size(), 1u);
+    EXPECT_THAT(complaint("integrate p.ppm --channel Z"), HasSubstr("unknown channel 'Z'"));
+    std::filesystem::resize_file(folder / "p.ppm", 200);
+    EXPECT_THAT(complaint("integrate p.ppm"), HasSubstr("p.ppm: not a readable image"));
     EXPECT_THAT(complaint("integrate q.png"), HasSubstr("q.png: there is no such file"));
 }
 
@@ -127,7 +124,7 @@ TEST_F(IntegrateCommand, ReweightsSamples) {
     for (const char* method : {"voronoi", "torus", "reweighted", "independent"}) {
         const Json one = answer(fmt::format("one.csv --method {}", method));
         EXPECT_NEAR(one["value"].get<double>(), 1. / 3, method == std::string("independent") ? 0.06 : 0.01) << method;
-        if (method != std::string("independent")) EXPECT_EQ(one["standard_error"], "inf") << method;
+        EXPECT_EQ(one["standard_error"] == "inf", method != std::string("independent")) << method;
     }
     write_samples("two.csv", 3, 1000, 1);
     for (const char* method : {"voronoi", "torus", "voronoi-reweighted"})

@@ -86,7 +86,7 @@ Answer integrate(const std::vector<NumberTable>& tables, const IntegrateOptions&
     std::size_t repeated = 0;
     for (const NumberTable& table : tables) {
         files.push_back(samples_of<D>(table, options.domain));
-        repeated += repeated_places(files.back().places, method.id == "torus");
+        repeated += repeated_places<D>(files.back().places, method.id == "torus");
     }
     const std::vector<Runs> sets = options.batches ? sets_of_batches(method, files.front(), *options.batches)
                                                    : sets_of_files(method, files);

@@ -41,6 +41,14 @@ Function<D> finite_on(const Box<D>& box, const F& f, const std::string& name) {
     };
 }
 
+// ".exr", ".png": no formula ends like that, since a letter follows the last dot.
+bool ends_like_a_file(std::string_view what) {
+    const std::string_view extension = what.substr(std::min(what.rfind('.'), what.size() - 1) + 1);
+    const auto letter = [](unsigned char c) { return std::isalpha(c) != 0; };
+    return !extension.empty() && letter(extension.front()) &&
+           std::ranges::all_of(extension, [](unsigned char c) { return std::isalnum(c) != 0; });
+}
+
 void refuse(bool given, const char* option, const std::string& why) {
     if (given) throw Error(fmt::format("{} {}", option, why));
 }
@@ -97,8 +105,7 @@ InputKind kind_of(const std::string& what) {
     if (what.starts_with('@')) return InputKind::shipped;
     if (what.ends_with(".csv") || what.ends_with(".CSV")) return InputKind::samples;
     std::error_code ignored;  // a formula may be too long for a name
-    if (has_image_extension(what) || std::filesystem::exists(what, ignored)) return InputKind::image;
-    return InputKind::formula;
+    return ends_like_a_file(what) || std::filesystem::exists(what, ignored) ? InputKind::image : InputKind::formula;
 }
 
 UserIntegrands read_integrands(const IntegrateOptions& options) {
@@ -125,8 +132,8 @@ std::vector<Point<D>> places_of(const NumberTable& table, const std::vector<doub
         }
     return places;
 }
-template std::vector<Point<1>> places_of(const NumberTable&, const std::vector<double>&);
-template std::vector<Point<2>> places_of(const NumberTable&, const std::vector<double>&);
+template std::vector<Point<1>> places_of<1>(const NumberTable&, const std::vector<double>&);
+template std::vector<Point<2>> places_of<2>(const NumberTable&, const std::vector<double>&);
 
 template <int D>
 SampleSet<D> samples_of(const NumberTable& table, const std::vector<double>& domain) {
@@ -135,7 +142,7 @@ SampleSet<D> samples_of(const NumberTable& table, const std::vector<double>& dom
     for (std::size_t row = 0; row < table.rows(); ++row) set.values[row] = volume * table.at(row, D);
     return set;
 }
-template SampleSet<1> samples_of(const NumberTable&, const std::vector<double>&);
-template SampleSet<2> samples_of(const NumberTable&, const std::vector<double>&);
+template SampleSet<1> samples_of<1>(const NumberTable&, const std::vector<double>&);
+template SampleSet<2> samples_of<2>(const NumberTable&, const std::vector<double>&);
 
 }  // namespace plumb

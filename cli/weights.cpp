@@ -13,7 +13,7 @@ template <int D>
 std::vector<double> weights_of(const NumberTable& points, const WeightsOptions& options, std::size_t& repeated) {
     std::vector<Point<D>> places = places_of<D>(points, options.domain);
     std::vector<double> weights = find_sample_weighting<D>(options.periodic ? "torus" : "voronoi").weights(places);
-    repeated = repeated_places(std::move(places), options.periodic);
+    repeated = repeated_places<D>(std::move(places), options.periodic);
     double volume = 1;
     for (std::size_t axis = 0; axis < options.domain.size() / 2; ++axis)
         volume *= options.domain[2 * axis + 1] - options.domain[2 * axis];

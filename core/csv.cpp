@@ -75,7 +75,8 @@ std::string NumberTable::where(std::size_t row, std::size_t column) const {
 }
 
 NumberTable parse_csv(std::string_view text, std::string name) {
-    NumberTable table{.name = std::move(name)};
+    NumberTable table;
+    table.name = std::move(name);
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark
     while (!text.empty() && std::string_view(" \t\r\n").find(text.back()) != std::string_view::npos)
         text.remove_suffix(1);

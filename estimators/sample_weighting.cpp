@@ -83,7 +83,7 @@ std::size_t repeated_places(std::vector<Point<D>> samples, bool torus) {
     std::ranges::sort(samples);
     return static_cast<std::size_t>(samples.end() - std::unique(samples.begin(), samples.end()));
 }
-template std::size_t repeated_places(std::vector<Point<1>>, bool);
-template std::size_t repeated_places(std::vector<Point<2>>, bool);
+template std::size_t repeated_places<1>(std::vector<Point<1>>, bool);
+template std::size_t repeated_places<2>(std::vector<Point<2>>, bool);
 
 }  // namespace plumb
