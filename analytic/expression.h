@@ -12,7 +12,7 @@ namespace plumb {
 /// some 50 ns.
 class Expression {
 public:
-    /// Throws Error naming the formula, the column and what stands there.
+    /// Line breaks count as blanks. Throws Error naming the formula, the column and what stands there.
     explicit Expression(std::string text);
     Expression(const Expression& other) : Expression(other.text()) {}
     Expression& operator=(const Expression&) = delete;

@@ -59,6 +59,7 @@ TEST(Expression, NamesThePlaceOfAnError) {
     EXPECT_THAT(complaint("x, y"), HasSubstr("column 2: ',' found"));
     EXPECT_THAT(complaint("x=3"), HasSubstr("column 2: '=' found"));
     EXPECT_THAT(complaint("x==3 ? x = 1 : 2"), HasSubstr("column 10"));
+    EXPECT_THAT(complaint("x +\ny z"), AllOf(HasSubstr("'x + y z', column 7")));
     EXPECT_EQ(complaint("x<=3 && y!=2 && x==y"), "");
 }
 

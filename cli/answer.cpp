@@ -44,7 +44,7 @@ std::string text_of(const Answer& a) {
         text += fmt::format(" ({} with those that chose n or drew the plot)", a.all_evaluations);
     text += '\n';
     if (a.target)
-        text += fmt::format("  target: a standard error of {:.2g}, {}\n", *a.target, a.target_met ? "met" : "missed");
+        text += fmt::format("  target: a standard error of {:.2g}, {}\n", *a.target, a.target_met ? "met" : "not met");
     for (const std::string& sentence : a.known) text += fmt::format("  {}\n", sentence);
     return text;
 }

@@ -65,9 +65,11 @@ Answer integrate(const UserIntegrand<D>& f, const IntegrateOptions& options, con
     for (const Runs& runs : sets) answer.all_evaluations += mean_of(runs).evaluations;
     if (options.error) {
         answer.target = options.error->absolute(answer.estimate.value);
-        answer.target_met = options.error->met_by(answer.estimate);
+        answer.target_met = options.error->met_by(answer.estimate) && !skewed(sets.back());
         answer.known.push_back("n was chosen by looking; value and error are from fresh runs at that n");
     }
+    if (skewed(sets.back()))
+        answer.known.push_back("the runs are skewed, as with spikes or infinite variance: the error is too small");
     if (!method.randomised)
         answer.known.push_back("the method is deterministic: its error is unknown, since every run is the same");
     else if (std::isinf(answer.estimate.standard_error))

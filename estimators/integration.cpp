@@ -34,6 +34,13 @@ Estimate mean_of(const Runs& runs) {
     return mean;
 }
 
+bool skewed(const Runs& runs) {
+    Moments values;
+    for (const Estimate& one : runs.estimates) values.add(one.value);
+    constexpr double z = 1.96;
+    return std::abs(values.skewness()) * z * z * z > 3 * std::sqrt(static_cast<double>(values.count()));
+}
+
 double ErrorTarget::absolute(double value) const {
     return relative ? error * std::abs(value) : error;
 }
@@ -46,7 +53,7 @@ Search search_sample_count(const IndependentRun& run, const ErrorTarget& target,
     for (std::uint64_t n = 16;; n *= 2) {
         search.looks.push_back(independent_runs(run, n, replicates, seed, "look"));
         const Estimate seen = mean_of(search.looks.back());
-        search.met = seen.standard_error <= margin * target.absolute(seen.value);
+        search.met = seen.standard_error <= margin * target.absolute(seen.value) && !skewed(search.looks.back());
         spent += seen.evaluations;
         if (search.met || spent + 4 * seen.evaluations > max_evaluations) return search;
     }

@@ -25,6 +25,11 @@ Runs independent_runs(const IndependentRun& run, std::uint64_t n, std::uint64_t 
 /// that is unknown, for fewer than two runs and when all gave the same value: no spread seen says nothing.
 Estimate mean_of(const Runs& runs);
 
+/// Whether the runs' skewness is too large for a 95 % interval of value ± 2 errors to mean what it says: |skewness| z³ /
+/// (3 √R) > 1, the guard that mean claims have (docs/statistics.md, "Heavy tails"). An integrand of infinite variance
+/// shows itself so, mostly; tails that no run met show nowhere.
+bool skewed(const Runs& runs);
+
 /// How large the standard error may be: absolute, or relative to the value.
 struct ErrorTarget {
     double error = 0;
@@ -40,7 +45,7 @@ struct Search {
     bool met = false;  ///< false: max_evaluations would have been exceeded first
 };
 
-/// Doubles n from 16 until the standard error of `replicates` runs is at most 2/3 of the target, or until another
+/// Doubles n from 16 until the standard error of `replicates` runs that are not skewed is at most 2/3 of the target, or until another
 /// doubling and an answer of its size would need more than max_evaluations in all. The looks decide n and so know too
 /// little about their own error: the smallest of many noisy errors stops the search. Report fresh runs at the chosen n:
 /// their mean is as unbiased as the method, their error as honest as for an n fixed beforehand; 2/3 leaves room for it

@@ -50,6 +50,15 @@ TEST(MeanOf, KnowsItsErrorOnlyFromASpread) {
     EXPECT_TRUE(std::isinf(mean_of({.n = 4, .estimates = {{1, 0, 4}, {1, 0, 4}}}).standard_error));
 }
 
+TEST(Skewed, SeesAnOutlierAndNothingInNormalRuns) {
+    Runs runs{.n = 1, .estimates = std::vector<Estimate>(32, Estimate{1})};
+    EXPECT_FALSE(skewed(runs));  // no spread, no skewness
+    for (std::size_t i = 0; i < 32; i += 2) runs.estimates[i].value = 2;
+    EXPECT_FALSE(skewed(runs));
+    runs.estimates[0].value = 100;  // skewness near √32 = 5.7, the limit is 2.25
+    EXPECT_TRUE(skewed(runs));
+}
+
 TEST(SearchSampleCount, StopsWhereTheTargetNeedsIt) {
     // 32 runs of n: standard error sqrt(1/(384 n)); below 2/3 of 1e-3 at n ≈ 5859, so 8192, or half or twice that.
     const Search search = search_sample_count(mean_of_uniforms, {1e-3, false}, 32, 100'000'000, 3);

@@ -11,6 +11,7 @@ Catalogue shipped_catalogue() {
     add_point_variance_claims(catalogue);
     add_point_rate_claims(catalogue);
     add_error_bar_claims(catalogue);
+    add_reweighting_1d_claims(catalogue);
     add_reweighting_2d_claims(catalogue);
     add_density_claims(catalogue);
     add_exact_mis_claims(catalogue);
@@ -20,7 +21,6 @@ Catalogue shipped_catalogue() {
     add_debiasing_claims(catalogue);
     add_forecast_claims(catalogue);
     add_calibration_claims(catalogue);
-    add_reweighting_1d_claims(catalogue);
     return catalogue;
 }
 

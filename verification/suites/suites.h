@@ -15,6 +15,7 @@ void add_point_set_claims(Catalogue& catalogue);
 void add_point_variance_claims(Catalogue& catalogue);
 void add_point_rate_claims(Catalogue& catalogue);
 void add_error_bar_claims(Catalogue& catalogue);
+void add_reweighting_1d_claims(Catalogue& catalogue);
 void add_reweighting_2d_claims(Catalogue& catalogue);
 void add_density_claims(Catalogue& catalogue);
 void add_exact_mis_claims(Catalogue& catalogue);
@@ -24,6 +25,5 @@ void add_roulette_claims(Catalogue& catalogue);
 void add_debiasing_claims(Catalogue& catalogue);
 void add_forecast_claims(Catalogue& catalogue);
 void add_calibration_claims(Catalogue& catalogue);
-void add_reweighting_1d_claims(Catalogue& catalogue);
 
 }  // namespace plumb
