@@ -56,7 +56,8 @@ void define_names(mu::Parser& parser, double& x, double& y) {
 }  // namespace
 
 Expression::Expression(std::string text) : text_(std::move(text)), parser_(std::make_unique<Parser>()) {
-    std::ranges::replace_if(text_, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+    std::ranges::replace_if(
+        text_, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
     refuse_assignments(text_);
     try {
         define_names(parser_->parser, parser_->x, parser_->y);

@@ -29,7 +29,8 @@ double ImageFunction::pixel(int x, int y) const {
 double ImageFunction::operator()(const Point<2>& p) const {
     const int right = image_->width - 1, bottom = image_->height - 1;
     const double x = p[0] * image_->width, y = p[1] * image_->height;
-    if (lookup_ == Lookup::nearest) return pixel(std::min(static_cast<int>(x), right), std::min(static_cast<int>(y), bottom));
+    if (lookup_ == Lookup::nearest)
+        return pixel(std::min(static_cast<int>(x), right), std::min(static_cast<int>(y), bottom));
     const int left = static_cast<int>(std::floor(x - 0.5)), above = static_cast<int>(std::floor(y - 0.5));
     const double s = x - 0.5 - left, t = y - 0.5 - above;
     const auto row = [&](int j) {

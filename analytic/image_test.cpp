@@ -51,7 +51,8 @@ private:
 
 TEST_F(ReadImage, GivesTheNumbersOfTheFile) {
     for (const char* name : {"a.exr", "a.png", "a.tif"}) {
-        const Image image = read_image(written(name, name == std::string("a.exr") ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8));
+        const Image image =
+            read_image(written(name, name == std::string("a.exr") ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8));
         EXPECT_EQ(image.width, 64) << name;
         EXPECT_EQ(image.height, 48) << name;
         EXPECT_THAT(image.channels, ElementsAre("R", "G", "B")) << name;

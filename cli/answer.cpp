@@ -29,17 +29,18 @@ std::string readable_value(const Estimate& estimate) {
 
 std::string comparison(const Answer& answer) {
     const double deviation = answer.estimate.value - *answer.exact;
-    const std::string in_errors = std::isinf(answer.estimate.standard_error)
-                                      ? ""
-                                      : fmt::format(", {:+.1f} standard errors", deviation / answer.estimate.standard_error);
+    const std::string in_errors =
+        std::isinf(answer.estimate.standard_error)
+            ? ""
+            : fmt::format(", {:+.1f} standard errors", deviation / answer.estimate.standard_error);
     return fmt::format("  exact: {}; deviation {:+.2g}{}\n", *answer.exact, deviation, in_errors);
 }
 
 std::string text_of(const Answer& a) {
     std::string text = fmt::format("{}\n  {}\n", a.integrand, readable_value(a.estimate));
     if (a.exact) text += comparison(a);
-    text += fmt::format("  {}: {} of {} samples, {} evaluations", a.method, a.runs == 1 ? "one set" : fmt::format("{} runs", a.runs),
-                        a.n, a.estimate.evaluations);
+    text += fmt::format("  {}: {} of {} samples, {} evaluations", a.method,
+                        a.runs == 1 ? "one set" : fmt::format("{} runs", a.runs), a.n, a.estimate.evaluations);
     if (a.all_evaluations > a.estimate.evaluations)
         text += fmt::format(" ({} with those that chose n or drew the plot)", a.all_evaluations);
     text += '\n';
@@ -62,7 +63,9 @@ ListRow row_of(const Answer& a) {
             {"all_evaluations", a.all_evaluations},
             {"exact", a.exact.value_or(not_known)},
             {"target", a.target.value_or(not_known)},
-            {"target_met", std::string(!a.target ? "" : a.target_met ? "yes" : "no")},
+            {"target_met", std::string(!a.target      ? ""
+                                       : a.target_met ? "yes"
+                                                      : "no")},
             {"known", known}};
 }
 

@@ -21,7 +21,8 @@ class CommandTest : public testing::Test {
 protected:
     /// `arguments` as one types them in a shell.
     Said plumb(const std::string& arguments) const {
-        const std::string command = "cd '" + folder.path().string() + "' && '" PLUMB_PROGRAM "' " + arguments + " >.out 2>.err";
+        const std::string command =
+            "cd '" + folder.path().string() + "' && '" PLUMB_PROGRAM "' " + arguments + " >.out 2>.err";
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder / ".out"), read_file(folder / ".err")};
     }

@@ -38,17 +38,18 @@ Answer integrate(const UserIntegrand<D>& f, const IntegrateOptions& options, con
         const Function<D> own = f.value;
         return method.run(own, n, random);
     };
-    Answer answer{.integrand = f.name, .method = method.id, .runs = method.randomised ? options.replicates : 1,
-                  .exact = f.exact};
+    Answer answer{
+        .integrand = f.name, .method = method.id, .runs = method.randomised ? options.replicates : 1, .exact = f.exact};
     const auto runs_at = [&](std::uint64_t n, std::string_view purpose) {
         return independent_runs(run, n, answer.runs, info.seed, purpose);
     };
     std::vector<Runs> sets;
     if (options.error) {
         if (!method.randomised)
-            throw Error(fmt::format("--error: method '{}' is deterministic, so runs cannot tell its error; accepted are "
-                                    "randomised ones such as stratified, sobol-owen, torus-tent",
-                                    method.id));
+            throw Error(
+                fmt::format("--error: method '{}' is deterministic, so runs cannot tell its error; accepted are "
+                            "randomised ones such as stratified, sobol-owen, torus-tent",
+                            method.id));
         Search search = search_sample_count(run, *options.error, answer.runs, options.max_evaluations, info.seed);
         sets = std::move(search.looks);
         answer.all_evaluations = mean_of(sets.back()).evaluations;  // the last look makes room for the answer

@@ -26,7 +26,8 @@ protected:
     }
     static void expect_near(const Json& answer, double truth) {
         EXPECT_GT(answer["standard_error"].get<double>(), 0) << answer;
-        EXPECT_LT(std::abs(answer["value"].get<double>() - truth), 6 * answer["standard_error"].get<double>()) << answer;
+        EXPECT_LT(std::abs(answer["value"].get<double>() - truth), 6 * answer["standard_error"].get<double>())
+            << answer;
     }
 
     // Samples of f(x) = x² or f(x, y) = x² + y, independent and uniform.
@@ -95,9 +96,10 @@ TEST_F(IntegrateCommand, SaysWhenTheTargetIsOutOfReach) {
 TEST_F(IntegrateCommand, DoesNotTrustAnErrorWhereTheVarianceIsInfinite) {
     int met = 0;
     for (int seed = 0; seed < 10; ++seed)
-        met += plumb(fmt::format("integrate '1/x^0.9' --method independent --error 5% --max-evaluations 1000000 --seed {}",
-                                 seed))
-                   .exit_code == 0;
+        met +=
+            plumb(fmt::format("integrate '1/x^0.9' --method independent --error 5% --max-evaluations 1000000 --seed {}",
+                              seed))
+                .exit_code == 0;
     EXPECT_LE(met, 3);
 }
 

@@ -11,7 +11,8 @@ namespace plumb {
 namespace {
 
 void check_options(const IntegrateOptions& options) {
-    for (const auto& [given, option] : {std::pair{options.n.has_value(), "--n"}, {options.error.has_value(), "--error"},
+    for (const auto& [given, option] : {std::pair{options.n.has_value(), "--n"},
+                                        {options.error.has_value(), "--error"},
                                         {options.channel.has_value(), "--channel"},
                                         {options.lookup.has_value(), "--lookup"}})
         if (given) throw Error(fmt::format("{} does not go with a file of samples", option));
@@ -70,7 +71,8 @@ std::vector<Runs> sets_of_files(const SampleWeighting<D>& method, const std::vec
 
 std::string about_error(const IntegrateOptions& options, const Answer& answer) {
     if (options.batches)
-        return "the error is from batches in the order of the file: right only where the samples are independent of each "
+        return "the error is from batches in the order of the file: right only where the samples are independent of "
+               "each "
                "other, not stratified, quasi-random or sorted";
     if (options.what.size() > 1) return "the error is from the files: right where they are independent sets";
     if (std::isinf(answer.estimate.standard_error))
@@ -88,15 +90,16 @@ Answer integrate(const std::vector<NumberTable>& tables, const IntegrateOptions&
         files.push_back(samples_of<D>(table, options.domain));
         repeated += repeated_places<D>(files.back().places, method.id == "torus");
     }
-    const std::vector<Runs> sets = options.batches ? sets_of_batches(method, files.front(), *options.batches)
-                                                   : sets_of_files(method, files);
+    const std::vector<Runs> sets =
+        options.batches ? sets_of_batches(method, files.front(), *options.batches) : sets_of_files(method, files);
     Answer answer{.integrand = fmt::format("{}", fmt::join(options.what, " ")), .method = method.id};
     answer.n = sets.back().n;
     answer.runs = sets.back().estimates.size();
     answer.estimate = answer.runs == 1 ? sets.back().estimates.front() : mean_of(sets.back());
     answer.all_evaluations = answer.estimate.evaluations;
     answer.known = {method.known, about_error(options, answer)};
-    if (repeated > 0) answer.known.push_back(fmt::format("{} samples repeat an earlier place and share its cell", repeated));
+    if (repeated > 0)
+        answer.known.push_back(fmt::format("{} samples repeat an earlier place and share its cell", repeated));
     if (options.batches) answer.series = series_of(sets, answer);
     return answer;
 }
@@ -109,7 +112,8 @@ Answer integrate_samples(const IntegrateOptions& options) {
     for (const std::string& file : options.what) tables.push_back(parse_csv(read_file(file), file));
     for (const NumberTable& table : tables) {
         if (table.columns != 2 && table.columns != 3)
-            throw Error(fmt::format("{}: {} columns found; accepted are 2 (x,f) and 3 (x,y,f)", table.name, table.columns));
+            throw Error(
+                fmt::format("{}: {} columns found; accepted are 2 (x,f) and 3 (x,y,f)", table.name, table.columns));
         if (table.columns != tables.front().columns)
             throw Error(fmt::format("{}: {} columns found; {} has {}", table.name, table.columns, tables.front().name,
                                     tables.front().columns));

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cstring>
 
 #include "cli/version.h"
 #include "core/error.h"
@@ -153,7 +154,8 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc,
         for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
     if (verb == &app && argc > 1 && argv[1][0] != '-') return unknown_name("verb", argv[1], verbs).what();
     for (int i = 2; i < argc && std::string_view(argv[i]) != "--"; ++i)
-        if (argv[i][0] == '-' && argv[i][1] != '-' && !verb->get_option_no_throw(std::string(argv[i]).substr(0, 2)))
+        if (argv[i][0] == '-' && std::strchr("-.0123456789", argv[i][1]) == nullptr &&
+            !verb->get_option_no_throw(std::string(argv[i]).substr(0, 2)))
             return fmt::format("unknown option '{}'; what begins with - but is no option goes last, after --", argv[i]);
     if (dynamic_cast<const CLI::ExtrasError*>(&error))
         for (int i = 1; i < argc; ++i) {

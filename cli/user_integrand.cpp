@@ -26,8 +26,10 @@ Box<D> box_of(const std::vector<double>& domain) {
 
 template <int D>
 std::string readable_place(const Point<D>& p) {
-    if constexpr (D == 1) return fmt::format("x = {}", p[0]);
-    else return fmt::format("x = {}, y = {}", p[0], p[1]);
+    if constexpr (D == 1)
+        return fmt::format("x = {}", p[0]);
+    else
+        return fmt::format("x = {}, y = {}", p[0], p[1]);
 }
 
 template <int D, class F>
@@ -70,8 +72,7 @@ std::optional<UserIntegrands> shipped(std::string_view id, std::vector<std::stri
     for (const Integrand<D>& f : integrands<D>()) {
         known.push_back(f.id);
         if (f.id != id) continue;
-        return std::vector<UserIntegrand<D>>{
-            {f.id, finite_on<D>({}, f.value, f.id), f.integral_value(), &f}};
+        return std::vector<UserIntegrand<D>>{{f.id, finite_on<D>({}, f.value, f.id), f.integral_value(), &f}};
     }
     return {};
 }

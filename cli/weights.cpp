@@ -39,7 +39,8 @@ std::string csv_of(const NumberTable& points, const std::vector<double>& weights
 void print_summary(const NumberTable& points, const std::vector<double>& weights, std::size_t repeated) {
     const auto [smallest, largest] = std::ranges::minmax_element(weights);
     const auto named = [&](auto weight) {
-        return fmt::format("{:.3g} (line {})", *weight, points.line(static_cast<std::size_t>(weight - weights.begin())));
+        return fmt::format("{:.3g} (line {})", *weight,
+                           points.line(static_cast<std::size_t>(weight - weights.begin())));
     };
     fmt::print(stderr, "{} points; weights sum to {}, smallest {}, largest {}", points.rows(),
                std::reduce(weights.begin(), weights.end()), named(smallest), named(largest));

@@ -63,7 +63,8 @@ TEST_F(WeightsCommand, SaysWhatIsWrong) {
 
 TEST_F(WeightsCommand, FailsOnAFullDisk) {
     write("p.csv", "0.5\n");
-    const int status = std::system(("'" PLUMB_PROGRAM "' weights '" + (folder / "p.csv").string() + "' >/dev/full 2>/dev/null").c_str());
+    const int status = std::system(
+        ("'" PLUMB_PROGRAM "' weights '" + (folder / "p.csv").string() + "' >/dev/full 2>/dev/null").c_str());
     EXPECT_EQ(WEXITSTATUS(status), 2);
 }
 

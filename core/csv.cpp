@@ -61,8 +61,8 @@ void append_row(std::string_view line, NumberTable& table) {
     const std::size_t columns = static_cast<std::size_t>(std::ranges::count(line, ',')) + 1;
     if (table.columns == 0) table.columns = columns;
     if (columns != table.columns)
-        throw Error(fmt::format("{}:{}: {} columns found; line 1 has {}", table.name, table.line(row), columns,
-                                table.columns));
+        throw Error(
+            fmt::format("{}:{}: {} columns found; line 1 has {}", table.name, table.line(row), columns, table.columns));
     for (std::size_t column = 0; column < columns; ++column)
         table.values.push_back(number_of(field_of(taken_until(',', line)), table, row, column));
 }

@@ -17,7 +17,8 @@ struct NumberTable {
     [[nodiscard]] std::size_t rows() const { return columns == 0 ? 0 : values.size() / columns; }
     [[nodiscard]] double at(std::size_t row, std::size_t column) const { return values[row * columns + column]; }
     [[nodiscard]] std::size_t line(std::size_t row) const { return row + (header.empty() ? 1 : 2); }
-    /// `points.csv:17: column 2`, for an Error about a value; rows and columns from 0, lines and columns in print from 1.
+    /// `points.csv:17: column 2`, for an Error about a value; rows and columns from 0, lines and columns in print
+    /// from 1.
     [[nodiscard]] std::string where(std::size_t row, std::size_t column) const;
 };
 

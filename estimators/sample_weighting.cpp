@@ -14,8 +14,7 @@ namespace {
 
 template <int D>
 SampleWeighting<D> plain_mean() {
-    return {"independent", "unbiased for independent uniform samples",
-            [](std::span<const Point<D>> samples) {
+    return {"independent", "unbiased for independent uniform samples", [](std::span<const Point<D>> samples) {
                 return std::vector<double>(samples.size(), 1 / static_cast<double>(samples.size()));
             }};
 }
@@ -33,7 +32,8 @@ std::vector<double> reweighted(std::span<const Point<2>> samples) {
     return reweighted_weights_2d(samples, uniform_cell_weight(samples.size()), [](const Point<2>&) { return 1.0; });
 }
 
-const char* const cells = "consistent for any samples that fill the domain; biased at every n, and the error leaves that out";
+const char* const cells =
+    "consistent for any samples that fill the domain; biased at every n, and the error leaves that out";
 const char* const torus =
     "unbiased for independent uniform samples and for any set moved by one uniform random shift on the torus; best for "
     "a periodic integrand";
