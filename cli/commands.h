@@ -11,5 +11,6 @@ int converge(const ConvergeOptions& options);
 int integrate(const IntegrateOptions& options);
 int weights(const WeightsOptions& options);
 int report(const ReportOptions& options);
+int merge(const MergeOptions& options);
 
 }  // namespace plumb

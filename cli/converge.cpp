@@ -60,6 +60,8 @@ void check_names(const ConvergeOptions& options) {
 
 int converge(const ConvergeOptions& options) {
     check_names(options);
+    for (const std::string& file : {options.json, options.report})
+        if (!file.empty()) check_writable(file);
     RunInfo info = start_run(options.seed, options.threads);
     const Run run(info.seed, "converge", 1);
     const auto start = std::chrono::steady_clock::now();

@@ -5,6 +5,7 @@
 #include "cli/user_integrand.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "reports/file.h"
 
 namespace plumb {
 namespace {
@@ -87,6 +88,8 @@ Answer integrate(const UserIntegrand<D>& f, const IntegrateOptions& options, con
 }  // namespace
 
 int integrate(const IntegrateOptions& options) {
+    for (const std::string& file : {options.json, options.report})
+        if (!file.empty()) check_writable(file);
     RunInfo info = start_run(options.seed, options.threads);
     info.patterns = fmt::format("{}", fmt::join(options.what, " "));
     const auto start = std::chrono::steady_clock::now();

@@ -32,30 +32,56 @@ const CLI::Validator probability(
     },
     "in (0, 1)");
 
+const CLI::Validator whole_number(
+    [](const std::string& text) -> std::string {
+        std::uint64_t value = 0;
+        const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool whole = failure == std::errc() && end == text.data() + text.size();
+        return whole ? "" : fmt::format("'{}' is not a whole number from 0 to 2^64 - 1", text);
+    },
+    "from 0 to 2^64 - 1");
+
 void add_seed_and_threads(CLI::App* verb, std::optional<std::uint64_t>& seed, int& threads) {
-    verb->add_option("--seed", seed, "the run's random seed; a new one when not given, recorded either way");
+    verb->add_option("--seed", seed, "the run's random seed; a new one when not given, recorded either way")
+        ->check(whole_number);
     verb->add_option("--threads", threads, "worker threads; the results do not depend on them")
         ->check(CLI::Range(1, 4096));
 }
 
+void add_outputs(CLI::App* verb, Outputs& outputs) {
+    verb->add_option("--json", outputs.json, "write verdicts as JSON to this file");
+    verb->add_option("--junit", outputs.junit, "write verdicts as JUnit XML, for CI servers, to this file");
+    verb->add_option("--report", outputs.report, "the HTML report; '' for none")->capture_default_str();
+    verb->add_option("--store", outputs.store, "the SQLite store that the run is added to")->capture_default_str();
+}
+
 void add_verify(CLI::App& app, VerifyOptions& options) {
     CLI::App* verb = app.add_subcommand("verify", "Judge claims and their mutants; write a report");
-    verb->add_option("patterns", options.patterns, "claims to judge, e.g. 'reweighting/*'; all when none is given");
-    verb->add_flag("--full", options.full, "the full size of every claim (about 20 times the work)");
-    verb->add_option("--alpha", options.alpha, "false-alarm budget of the whole run")
-        ->check(probability)
-        ->capture_default_str();
+    CLI::Option* patterns =
+        verb->add_option("patterns", options.patterns, "claims to judge, e.g. 'reweighting/*'; all when none is given");
+    CLI::Option* full =
+        verb->add_flag("--full", options.full, "the full size of every claim (about 20 times the work)");
+    CLI::Option* alpha = verb->add_option("--alpha", options.alpha, "false-alarm budget of the whole run")
+                             ->check(probability)
+                             ->capture_default_str();
     verb->add_option_function<std::string>(
             "--time-limit", [&](const std::string& text) { options.time_limit = parse_duration(text); },
             "stop drawing after this long, e.g. 60s: what is open then is undecided")
         ->check(checked(parse_duration));
     add_seed_and_threads(verb, options.seed, options.threads);
-    verb->add_option("--json", options.json, "write verdicts as JSON to this file");
-    verb->add_option("--report", options.report, "the HTML report")->capture_default_str();
-    verb->add_option("--store", options.store, "the SQLite store that the run is added to")->capture_default_str();
+    CLI::Option* seed = verb->get_option("--seed");
+    CLI::Option* shard = verb->add_option_function<std::string>(
+        "--shard", [&](const std::string& text) { options.shard = parse_shard(text); },
+        "judge the i-th of n parts, i/n; plumb merge joins them. Needs --seed");
+    shard->check(checked(parse_shard))->needs(seed);
+    CLI::Option* resume =
+        verb->add_flag("--resume", options.resume, "go on with the store's newest unfinished run, with its settings");
+    for (CLI::Option* setting : {patterns, full, alpha, seed, shard}) resume->excludes(setting);
+    add_outputs(verb, options);
     verb->footer(
         "Exit code: 0 every claim holds and every mutant is refuted, 1 a claim refuted or a mutant alive,\n"
-        "2 usage or input error, 3 something undecided.\n\n"
+        "2 usage or input error, 3 something undecided; 130 or 143 when SIGINT or SIGTERM ended it: what was judged\n"
+        "is stored, and --resume goes on.\n\n"
         "Example: plumb verify 'reweighting/*' 'points/*' --json verdicts.json");
 }
 
@@ -144,6 +170,15 @@ void add_report(CLI::App& app, ReportOptions& options) {
     verb->footer("Example: plumb report --run 12 --against 11");
 }
 
+void add_merge(CLI::App& app, MergeOptions& options) {
+    CLI::App* verb = app.add_subcommand("merge", "Join the shards of a run into the run that they make up");
+    verb->add_option("stores", options.stores, "the stores that the shards were verified with")->required();
+    add_outputs(verb, options);
+    verb->footer(
+        "Exit code: as of plumb verify. Merging twice changes nothing.\n\n"
+        "Example: plumb merge shard-*.db --store out/results.db");
+}
+
 // CLI11 says "The following argument was not expected": name it, and the nearest known one.
 std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
     const CLI::App* verb = &app;
@@ -163,6 +198,11 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc,
             if (typed.starts_with("--") && std::ranges::find(options, typed) == options.end())
                 return unknown_name("option", typed, options).what();
         }
+    if (dynamic_cast<const CLI::ExcludesError*>(&error))
+        return fmt::format("{}: a resumed run keeps the patterns, seed, alpha, size and shard that it began with",
+                           error.what());
+    if (dynamic_cast<const CLI::RequiresError*>(&error))
+        return fmt::format("{}: all shards of a run must have the same seed", error.what());
     return error.what();
 }
 
@@ -238,6 +278,19 @@ std::vector<double> parse_domain(const std::string& text) {
     return ends;
 }
 
+Shard parse_shard(const std::string& text) {
+    constexpr int most = 10'000;
+    Shard shard;
+    const char* end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, shard.index);
+    const bool slash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
+    const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.count) : first;
+    if (!slash || second.ec != std::errc() || second.ptr != end || shard.index < 1 || shard.index > shard.count ||
+        shard.count > most)
+        throw Error(fmt::format("'{}' is not a shard; accepted: i/n with 1 ≤ i ≤ n ≤ {}", text, most));
+    return shard;
+}
+
 Options parse_options(int argc, const char* const* argv) {
     CLI::App app("Plumb decides whether a Monte Carlo estimator is true.", "plumb");
     app.set_version_flag("--version", std::string(version));
@@ -250,12 +303,14 @@ Options parse_options(int argc, const char* const* argv) {
     IntegrateOptions integrate;
     WeightsOptions weights;
     ReportOptions report;
+    MergeOptions merge;
     add_verify(app, verify);
     add_list(app, list);
     add_converge(app, converge, counts);
     add_integrate(app, integrate);
     add_weights(app, weights);
     add_report(app, report);
+    add_merge(app, merge);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& answer) {
@@ -270,6 +325,7 @@ Options parse_options(int argc, const char* const* argv) {
     if (app.got_subcommand("converge")) return converge;
     if (app.got_subcommand("integrate")) return integrate;
     if (app.got_subcommand("weights")) return weights;
+    if (app.got_subcommand("merge")) return merge;
     return report;
 }
 

@@ -8,17 +8,28 @@
 #include <vector>
 
 #include "estimators/integration.h"
+#include "verification/runner.h"
 
 namespace plumb {
 
-struct VerifyOptions {
+/// Where verdicts go: an empty name writes no such file.
+struct Outputs {
+    std::string json, junit, report = "out/report.html", store = "out/results.db";
+};
+
+struct VerifyOptions : Outputs {
     std::vector<std::string> patterns;
     bool full = false;
     double alpha = 1e-4;
     std::optional<std::chrono::duration<double>> time_limit;
-    std::optional<std::uint64_t> seed;                                       ///< empty: a new one
-    int threads = 0;                                                         ///< 0: as many as the hardware has
-    std::string json, report = "out/report.html", store = "out/results.db";  ///< json: empty for none
+    std::optional<std::uint64_t> seed;  ///< empty: a new one
+    int threads = 0;                    ///< 0: as many as the hardware has
+    Shard shard;
+    bool resume = false;  ///< the newest unfinished run of the store, whose settings stand
+};
+
+struct MergeOptions : Outputs {
+    std::vector<std::string> stores;
 };
 
 struct ListOptions {
@@ -67,7 +78,7 @@ struct Answered {
 };
 
 using Options = std::variant<Answered, VerifyOptions, ListOptions, ConvergeOptions, IntegrateOptions, WeightsOptions,
-                             ReportOptions>;
+                             ReportOptions, MergeOptions>;
 
 /// Reads the command line; prints help, or a one-line error with the nearest known name, by itself.
 Options parse_options(int argc, const char* const* argv);
@@ -76,6 +87,8 @@ Options parse_options(int argc, const char* const* argv);
 std::vector<std::uint64_t> parse_sample_counts(const std::string& text);
 /// "90", "90s", "1.5m", "2h"; throws Error.
 std::chrono::duration<double> parse_duration(const std::string& text);
+/// "2/3": the second of three; throws Error.
+Shard parse_shard(const std::string& text);
 
 /// "1e-3" (absolute) or "1%" (relative); throws Error.
 ErrorTarget parse_error_target(const std::string& text);

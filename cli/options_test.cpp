@@ -65,6 +65,10 @@ TEST(Options, SayWhatAValueMayBe) {
     EXPECT_THAT(complaint("verify", "--threads", "0"), testing::HasSubstr("--threads"));
     EXPECT_THAT(complaint("verify", "--time-limit", "soon"), testing::HasSubstr("1.5m"));
     EXPECT_THAT(complaint("converge", "torus", "--on", "exp", "--n", "64..16"), testing::HasSubstr("backwards"));
+    EXPECT_THAT(complaint("verify", "--seed", "-1"), testing::HasSubstr("from 0 to 2^64 - 1"));
+    EXPECT_THAT(complaint("verify", "--shard", "1/2"), testing::HasSubstr("--shard requires --seed"));
+    EXPECT_THAT(complaint("verify", "--resume", "--alpha", "0.1"), testing::HasSubstr("--alpha"));
+    EXPECT_THAT(complaint("verify", "--resume", "points/*"), testing::HasSubstr("keeps the patterns"));
     EXPECT_THAT(complaint(), testing::HasSubstr("subcommand"));
 }
 
@@ -74,6 +78,13 @@ TEST(ParseSampleCounts, AcceptsRangesAndLists) {
     EXPECT_THROW(parse_sample_counts("0"), Error);
     EXPECT_THROW(parse_sample_counts("1,,2"), Error);
     EXPECT_THROW(parse_sample_counts("many"), Error);
+}
+
+TEST(ParseShard, AcceptsAPartOfAWhole) {
+    EXPECT_EQ(parse_shard("2/3").index, 2);
+    EXPECT_EQ(parse_shard("2/3").count, 3);
+    for (const char* wrong : {"3/2", "0/2", "1/0", "1", "/2", "1/", "1/2/3", "-1/2", "1/10001", ""})
+        EXPECT_THROW(parse_shard(wrong), Error) << wrong;
 }
 
 TEST(ParseDuration, KnowsItsUnits) {

@@ -36,6 +36,10 @@ TableStyle terminal_style() {
 ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
 ProgressLine::~ProgressLine() {
+    clear();
+}
+
+void ProgressLine::clear() {
     if (terminal_) fmt::print(stderr, "\r\033[K");
 }
 

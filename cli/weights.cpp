@@ -51,6 +51,7 @@ void print_summary(const NumberTable& points, const std::vector<double>& weights
 }  // namespace
 
 int weights(const WeightsOptions& options) {
+    if (!options.out.empty()) check_writable(options.out);
     const NumberTable points = parse_csv(read_file(options.points), options.points);
     if (points.columns > 2)
         throw Error(fmt::format("{}: {} columns found; accepted are 1 (x) and 2 (x,y)", points.name, points.columns));

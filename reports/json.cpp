@@ -244,9 +244,19 @@ Json to(const ErratumEntry& e) {
 }
 
 Json to(const RunInfo& run) {
-    return {{"seed", run.seed},         {"alpha", number(run.alpha)},    {"threads", run.threads},
-            {"size", run.size},         {"version", run.version},        {"started", run.started},
-            {"patterns", run.patterns}, {"seconds", number(run.seconds)}};
+    return {{"seed", run.seed},
+            {"alpha", number(run.alpha)},
+            {"threads", run.threads},
+            {"size", run.size},
+            {"version", run.version},
+            {"started", run.started},
+            {"patterns", run.patterns},
+            {"shard", run.shard},
+            {"shards", run.shards},
+            {"selected", run.selected},
+            {"fingerprint", run.fingerprint},
+            {"finished", run.finished},
+            {"seconds", number(run.seconds)}};
 }
 
 RunInfo run_of(const Json& json) {
@@ -257,6 +267,11 @@ RunInfo run_of(const Json& json) {
             .version = json.at("version"),
             .started = json.at("started"),
             .patterns = json.at("patterns"),
+            .shard = json.at("shard"),
+            .shards = json.at("shards"),
+            .selected = json.at("selected"),
+            .fingerprint = json.at("fingerprint"),
+            .finished = json.at("finished"),
             .seconds = number_from(json.at("seconds"))};
 }
 

@@ -107,23 +107,15 @@ Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, co
     std::vector<std::vector<std::uint64_t>> partial(batches);
     for_batches(batches, [&](std::size_t b) {
         std::vector<std::uint64_t> counts(cells + 1);  // the last: outside every cell
-        if (!run.out_of_time())
-            for (std::uint64_t i = b * batch; i < std::min<std::uint64_t>((b + 1) * batch, n); ++i) {
-                RandomStream random = run.random(i);
-                ++counts[std::min(draw(random), cells)];
-            }
+        for (std::uint64_t i = b * batch; i < std::min<std::uint64_t>((b + 1) * batch, n); ++i) {
+            RandomStream random = run.random(i);
+            ++counts[std::min(draw(random), cells)];
+        }
         partial[b] = std::move(counts);
     });
     std::vector<std::uint64_t> counts(cells + 1);
     for (const auto& part : partial)
         for (std::size_t cell = 0; cell <= cells; ++cell) counts[cell] += part[cell];
-    if (run.out_of_time()) {
-        Verdict verdict;
-        verdict.samples = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
-        verdict.resolution = claim.delta;
-        verdict.reason = "the time limit came before a decision";
-        return verdict;
-    }
     return chi_square_verdict(counts, claim, run.alpha(), run.beta());
 }
 

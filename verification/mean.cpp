@@ -65,8 +65,7 @@ Verdict every_value_is(const Draw& draw, const MeanClaim& claim, const Run& run)
     return verdict;
 }
 
-std::string undecided_reason(const MeanTest& test, const Run& run, std::uint64_t cap) {
-    if (run.out_of_time()) return "the time limit came before a decision";
+std::string undecided_reason(const MeanTest& test, std::uint64_t cap) {
     if (!test.tails_allow_a_decision())
         return fmt::format("heavy tails: the skewness {:.3g} of {} samples makes every interval of the mean worthless",
                            test.moments().skewness(), test.moments().count());
@@ -74,8 +73,7 @@ std::string undecided_reason(const MeanTest& test, const Run& run, std::uint64_t
 }
 
 // What the test found, as a verdict about mean − reference; the sentences name what was claimed.
-Verdict describe(const MeanTest& test, MeanTest::Decision decision, double reference, std::uint64_t cap, double delta,
-                 const Run& run) {
+Verdict describe(const MeanTest& test, MeanTest::Decision decision, double reference, std::uint64_t cap, double delta) {
     const Moments& moments = test.moments();
     const double bias = moments.mean() - reference, error = moments.standard_error();
     Verdict verdict;
@@ -88,7 +86,7 @@ Verdict describe(const MeanTest& test, MeanTest::Decision decision, double refer
     switch (decision) {
         case MeanTest::Decision::holds: verdict.outcome = Outcome::holds; break;
         case MeanTest::Decision::refuted: verdict.outcome = Outcome::refuted; break;
-        case MeanTest::Decision::none: verdict.reason = undecided_reason(test, run, cap);
+        case MeanTest::Decision::none: verdict.reason = undecided_reason(test, cap);
     }
     const double needed = moments.variance() / (delta * delta);
     verdict.evidence = {{"mean", moments.mean()},
@@ -108,7 +106,7 @@ Verdict describe(const MeanTest& test, MeanTest::Decision decision, double refer
 std::optional<Verdict> feed(MeanTest& test, MeanTest::Decision& decision, const Draw& draw, const Interval& bounds,
                             std::uint64_t cap, const Run& run) {
     std::uint64_t drawn = 0;
-    while (decision == MeanTest::Decision::none && drawn < cap && !run.out_of_time()) {
+    while (decision == MeanTest::Decision::none && drawn < cap) {
         const std::uint64_t wave =
             std::min(cap - drawn, std::clamp<std::uint64_t>(drawn / 4 / 256 * 256, 1024, 1 << 18));
         const std::vector<double> values = draw_values(draw, run, drawn, wave);
@@ -148,7 +146,7 @@ Verdict mean_is(const Draw& draw, const MeanClaim& claim, const Run& run) {
         {around(claim.epsilon), around(claim.delta), claim.delta, bounds, run.alpha(), run.beta(), claim.min_samples});
     auto decision = MeanTest::Decision::none;
     if (std::optional<Verdict> defect = feed(test, decision, draw, bounds, claim.cap, run)) return *defect;
-    Verdict verdict = describe(test, decision, claim.reference, claim.cap, claim.delta, run);
+    Verdict verdict = describe(test, decision, claim.reference, claim.cap, claim.delta);
     verdict.evidence.emplace_back("epsilon", claim.epsilon);
     const double mean = test.moments().mean();
     if (decision == MeanTest::Decision::holds)
@@ -168,7 +166,7 @@ Verdict mean_at_most(const Draw& draw, const AtMostClaim& claim, const Run& run)
     MeanTest test({below, below, claim.margin, bounds, run.alpha(), run.beta(), 0});
     auto decision = MeanTest::Decision::none;
     if (std::optional<Verdict> defect = feed(test, decision, draw, bounds, claim.cap, run)) return *defect;
-    Verdict verdict = describe(test, decision, claim.bound, claim.cap, claim.margin, run);
+    Verdict verdict = describe(test, decision, claim.bound, claim.cap, claim.margin);
     const double mean = test.moments().mean(), error = test.moments().standard_error();
     if (decision == MeanTest::Decision::holds)
         verdict.reason =
