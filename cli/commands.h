@@ -22,6 +22,9 @@ Lists shipped_lists(const Catalogue& catalogue);
 int verify(const VerifyOptions& options, const Catalogue& catalogue);
 int list(const ListOptions& options, const Lists& lists);
 int converge(const ConvergeOptions& options);
+int study(const StudyOptions& options);
+int integrate(const IntegrateOptions& options);
+int weights(const WeightsOptions& options);
 int report(const ReportOptions& options);
 int merge(const MergeOptions& options);
 
