@@ -3,9 +3,9 @@
 #include <filesystem>
 
 #include "core/error.h"
+#include "core/sample_counts.h"
 #include "estimators/batches.h"
 #include "estimators/step_density_estimators.h"
-#include "studies/sample_counts.h"
 
 #include <toml++/toml.h>
 
