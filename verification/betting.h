@@ -40,7 +40,8 @@ public:
 
     /// Samples are consumed in blocks of this size (lambda is fixed within a block); the last may be shorter.
     [[nodiscard]] std::size_t block_size() const;
-    /// Feeds the next block. Values must be finite and within the bounds.
+    /// Feeds the next block. Values must be finite, within the bounds, and of a size not far from delta's: mean_is()
+    /// subtracts the reference and divides by delta.
     Decision add(std::span<const double> block);
 
     [[nodiscard]] const Moments& moments() const { return moments_; }
@@ -53,6 +54,7 @@ public:
     /// A 1 − beta confidence sequence for the mean (normal mixture, asymptotic), for the report.
     [[nodiscard]] Interval mean_interval() const;
 
+    static constexpr std::size_t largest_block = 256;
     static constexpr int scales = 8;  ///< lambda = 2^j delta/variance, j = −1 … 5, and as large as is safe
 
 private:
@@ -66,6 +68,7 @@ private:
     [[nodiscard]] double log_evidence(bool exact_bets_only) const;
     [[nodiscard]] double variance_guess() const;
     void play(std::span<const double> block);
+    void record_maxima();
     [[nodiscard]] double lambda(const Bet& bet, double variance) const;
 
     Setting setting_;

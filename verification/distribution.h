@@ -23,7 +23,11 @@ struct DistributionClaim {
 
 /// Does draw fall into the cells with these probabilities? Pearson's chi-square at the sample count that makes
 /// `undecided` though true rarer than 1e-5; `holds` by the noncentral chi-square. docs/statistics.md, "Distributions".
+/// Throws std::logic_error for a cell so rare that 2^32 samples would not do: it belongs to a neighbour.
 Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, const Run& run);
+
+/// What every expected count must reach for the chi-square's tail to be within 1.3 times its level at alpha.
+double least_expected_count(double alpha);
 
 /// The verdict on given counts. degrees_of_freedom < 0: cells with positive probability − 1.
 Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const DistributionClaim& claim, double alpha,

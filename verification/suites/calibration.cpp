@@ -73,7 +73,7 @@ SimulatedRun simulate(Test test, const TiltedLaw& law, const std::vector<double>
                       RandomStream& random) {
     const double theta = thetas[random.below(thetas.size())];
     SimulatedRun run;
-    std::array<double, 64> block{};
+    std::array<double, MeanTest::largest_block> block{};
     double sum = 0;
     while (run.decision == Decision::none && test.moments().count() < cap) {
         const auto values = std::span(block).first(test.block_size());
@@ -240,7 +240,7 @@ Verdict heavy_tails_hold(double a, bool guarded, const Run& run) {
     const Interval bounds = guarded ? Interval{} : Interval{-mean, 100 * mean};
     const auto decided = [&](RandomStream& random) {
         MeanTest test({{mean, mean}, {mean - delta, mean + delta}, delta, bounds, alpha_in_use, beta, 0});
-        std::array<double, 64> block{};
+        std::array<double, MeanTest::largest_block> block{};
         auto decision = Decision::none;
         const Draw draw = pareto(a);
         while (decision == Decision::none && test.moments().count() < 4000) {
