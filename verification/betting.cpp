@@ -90,16 +90,16 @@ void MeanTest::play(std::span<const double> block) {
     settle(against_small_);
 }
 
+// A bet without bounds grows while the tail that will ruin it has not been seen, so its past is not held against the
+// claim: only looks at which the tails allow a decision count.
 void MeanTest::record_maxima() {
-    // A mixture is worth at most its best bet, so most blocks need no sum of exponentials.
+    const bool calm = tails_allow_a_decision() && moments_.count() >= setting_.min_samples;
+    // A mixture is worth at most its best bet, so most looks need no sum of exponentials.
     const double best = std::ranges::max_element(against_claim_, {}, &Bet::log_wealth)->log_wealth;
-    if (best > max_log_claim_) max_log_claim_ = std::max(max_log_claim_, log_evidence());
-    if (exact())
-        max_log_exact_ = max_log_claim_;
-    else if ((exact_below_ || exact_above_) && best > max_log_exact_)
-        max_log_exact_ = std::max(max_log_exact_, log_evidence(true));
-    max_log_large_ = std::max(max_log_large_, against_large_.log_wealth);
-    max_log_small_ = std::max(max_log_small_, against_small_.log_wealth);
+    if (best > max_log_claim_ && (calm || exact_below_ || exact_above_))
+        max_log_claim_ = std::max(max_log_claim_, log_evidence(!calm));
+    if (calm || is_exact(against_large_)) max_log_large_ = std::max(max_log_large_, against_large_.log_wealth);
+    if (calm || is_exact(against_small_)) max_log_small_ = std::max(max_log_small_, against_small_.log_wealth);
 }
 
 MeanTest::Decision MeanTest::add(std::span<const double> block) {
@@ -111,14 +111,16 @@ MeanTest::Decision MeanTest::add(std::span<const double> block) {
     }
     record_maxima();
     if (moments_.count() < setting_.min_samples) return Decision::none;
-    const bool calm = tails_allow_a_decision();
-    if ((calm ? max_log_claim_ : max_log_exact_) >= -std::log(setting_.alpha)) return Decision::refuted;
-    if (excludes(against_large_, max_log_large_) && excludes(against_small_, max_log_small_)) return Decision::holds;
-    return Decision::none;
+    if (max_log_claim_ >= -std::log(setting_.alpha)) return Decision::refuted;
+    return excludes_large() && excludes_small() ? Decision::holds : Decision::none;
 }
 
-bool MeanTest::excludes(const Bet& bet, double max_log) const {
-    return std::isinf(bet.m) || ((tails_allow_a_decision() || is_exact(bet)) && max_log >= -std::log(setting_.beta));
+bool MeanTest::excludes_large() const {
+    return std::isinf(against_large_.m) || max_log_large_ >= -std::log(setting_.beta);
+}
+
+bool MeanTest::excludes_small() const {
+    return std::isinf(against_small_.m) || max_log_small_ >= -std::log(setting_.beta);
 }
 
 double MeanTest::p_value() const {
@@ -154,8 +156,8 @@ Interval MeanTest::mean_interval() const {
     if (!std::isfinite(half)) return {};
     Interval interval{moments_.mean() - half, moments_.mean() + half};
     // What the bets have excluded, each end at risk beta, sharpens it.
-    if (excludes(against_large_, max_log_large_)) interval.high = std::min(interval.high, setting_.resolved.high);
-    if (excludes(against_small_, max_log_small_)) interval.low = std::max(interval.low, setting_.resolved.low);
+    if (excludes_large()) interval.high = std::min(interval.high, setting_.resolved.high);
+    if (excludes_small()) interval.low = std::max(interval.low, setting_.resolved.low);
     return interval;
 }
 

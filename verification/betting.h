@@ -21,8 +21,8 @@ namespace plumb {
 ///   against too small     lambda = +delta/variance at its lower end                }
 ///
 /// An infinite end asks for nothing on its side. With bounds on the values, lambda is kept where every factor is at
-/// least 1/2, and the risks are exact. Without, a factor can only be kept positive by clamping: then decisions wait
-/// until the sample's skewness allows a normal approximation. A bet that the mean is larger needs only a lower bound:
+/// least 1/2, and the risks are exact. Without, a factor can only be kept positive by clamping: then looks count
+/// only while the sample's skewness allows a normal approximation. A bet that the mean is larger needs only a lower bound:
 /// for non-negative values "too large" and "not too small" are exact.
 class MeanTest {
 public:
@@ -49,7 +49,7 @@ public:
     /// Logarithm of the e-process against the claim as it stands: its expectation under the claim is at most 1.
     [[nodiscard]] double log_evidence() const { return log_evidence(false); }
     [[nodiscard]] bool exact() const { return exact_below_ && exact_above_; }
-    /// Whether the guard on skewness lets decisions pass that are not exact.
+    /// Whether the guard on skewness lets a look count that is not exact.
     [[nodiscard]] bool tails_allow_a_decision() const;
     /// A 1 − beta confidence sequence for the mean (normal mixture, asymptotic), for the report.
     [[nodiscard]] Interval mean_interval() const;
@@ -64,7 +64,8 @@ private:
         double log_wealth = 0;
     };
     [[nodiscard]] bool is_exact(const Bet& bet) const { return bet.scale > 0 ? exact_below_ : exact_above_; }
-    [[nodiscard]] bool excludes(const Bet& bet, double max_log) const;
+    [[nodiscard]] bool excludes_large() const;
+    [[nodiscard]] bool excludes_small() const;
     [[nodiscard]] double log_evidence(bool exact_bets_only) const;
     [[nodiscard]] double variance_guess() const;
     void play(std::span<const double> block);
@@ -77,7 +78,7 @@ private:
     Interval seen_{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     std::vector<Bet> against_claim_;
     Bet against_large_, against_small_;
-    double max_log_claim_ = 0, max_log_exact_ = 0, max_log_large_ = 0, max_log_small_ = 0;
+    double max_log_claim_ = 0, max_log_large_ = 0, max_log_small_ = 0;  ///< over the looks that count
     double z_guard_;
 };
 
