@@ -22,8 +22,8 @@ namespace plumb {
 ///
 /// An infinite end asks for nothing on its side. With bounds on the values, lambda is kept where every factor is at
 /// least 1/2, and the risks are exact. Without, a factor can only be kept positive by clamping: then looks count
-/// only while the sample's skewness allows a normal approximation. A bet that the mean is larger needs only a lower bound:
-/// for non-negative values "too large" and "not too small" are exact.
+/// only while the sample's skewness allows a normal approximation. A bet that the mean is larger needs only a lower
+/// bound: for non-negative values "too large" and "not too small" are exact.
 class MeanTest {
 public:
     struct Setting {

@@ -42,7 +42,14 @@ double tail_of_bound(const DistributionClaim& claim, double beta) {
     return normal_two_sided_tail(s * normal_upper_quantile(beta)) / 2;
 }
 
-// As many samples as make a true claim hold but for the risk 1e-5, and every expected count large enough.
+}  // namespace
+
+// The upper tail of one rare cell is exp(z³/(6 sqrt(E))) times the normal one, the lower one its inverse: at
+// E = (z³/4)² their mean exceeds the level by 1.24, counted exactly for levels from 1e-8 to 1e-2.
+double least_expected_count(double alpha) {
+    return std::max(100.0, std::pow(normal_upper_quantile(alpha / 2), 6) / 16);
+}
+
 std::uint64_t samples_needed(const DistributionClaim& claim, double alpha, double beta) {
     const double freedom = positive_cells(claim) - 1;
     const double unlucky = chi_square_upper_quantile(undecided_risk, freedom);
@@ -56,14 +63,6 @@ std::uint64_t samples_needed(const DistributionClaim& claim, double alpha, doubl
                         "); join rare cells with their neighbours or allow a larger delta",
                         needed, rarest_cell(claim), claim.delta));
     return static_cast<std::uint64_t>(needed);
-}
-
-}  // namespace
-
-// The upper tail of one rare cell is exp(z³/(6 sqrt(E))) times the normal one, the lower one its inverse: at
-// E = (z³/4)² their mean exceeds the level by 1.24, counted exactly for levels from 1e-8 to 1e-2.
-double least_expected_count(double alpha) {
-    return std::max(100.0, std::pow(normal_upper_quantile(alpha / 2), 6) / 16);
 }
 
 std::size_t equal_cell(double u, std::size_t cells) {

@@ -29,6 +29,9 @@ Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, co
 /// What every expected count must reach for the chi-square's tail to be within 1.3 times its level at alpha.
 double least_expected_count(double alpha);
 
+/// As many samples as make a true claim hold but for a risk of 1e-5, with every expected count large enough.
+std::uint64_t samples_needed(const DistributionClaim& claim, double alpha, double beta);
+
 /// The verdict on given counts. degrees_of_freedom < 0: cells with positive probability − 1.
 Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const DistributionClaim& claim, double alpha,
                            double beta, int degrees_of_freedom = -1);

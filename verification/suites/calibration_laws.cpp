@@ -31,10 +31,22 @@ Tilt normal_tilt(double theta) {
 
 }  // namespace
 
-TiltedLaw TiltedLaw::without_bounds() const {
+TiltedLaw TiltedLaw::without_bounds(double smaller_delta_over_sigma, std::uint64_t least_samples) const {
     TiltedLaw law = *this;
     law.bounds = {};
+    law.delta_over_sigma = smaller_delta_over_sigma;
+    law.min_samples = least_samples;
     return law;
+}
+
+MeanTest TiltedLaw::test(double reference) const {
+    return MeanTest({{reference, reference},
+                     {reference - delta(), reference + delta()},
+                     delta(),
+                     bounds,
+                     alpha_in_use,
+                     beta_in_use,
+                     min_samples});
 }
 
 TiltedLaw bernoulli(double p) {
@@ -42,8 +54,12 @@ TiltedLaw bernoulli(double p) {
         const double x = random.uniform() < moved(p, theta) ? 1 : 0;
         return TiltedValue{x, x};
     };
-    return {fmt::format("Bernoulli({:g})", p), p, std::sqrt(p * (1 - p)), {0, 1},
-            [=](double theta) { return bernoulli_tilt(p, theta); }, draw};
+    return {fmt::format("Bernoulli({:g})", p),
+            p,
+            std::sqrt(p * (1 - p)),
+            {0, 1},
+            [=](double theta) { return bernoulli_tilt(p, theta); },
+            draw};
 }
 
 TiltedLaw normal() {
@@ -69,8 +85,8 @@ TiltedLaw lognormal(double s) {
         return TiltedValue{std::exp(s * z), z};
     };
     const double mean = std::exp(s * s / 2);
-    return {fmt::format("lognormal({:g})", s), mean, mean * std::sqrt(std::expm1(s * s)), {0, infinity}, normal_tilt,
-            draw};
+    return {
+        fmt::format("lognormal({:g})", s), mean, mean * std::sqrt(std::expm1(s * s)), {0, infinity}, normal_tilt, draw};
 }
 
 TiltedLaw spikes() {
@@ -81,8 +97,12 @@ TiltedLaw spikes() {
         return TiltedValue{x, spike ? 1.0 : 0.0};
     };
     const double variance = 1.0 / 12 + p * mean_square - p * p * mean_spike * mean_spike;
-    return {"spiking", 0.5 + p * mean_spike, std::sqrt(variance), {0, 9},
-            [](double theta) { return bernoulli_tilt(p, theta); }, draw};
+    return {"spiking",
+            0.5 + p * mean_spike,
+            std::sqrt(variance),
+            {0, 9},
+            [](double theta) { return bernoulli_tilt(p, theta); },
+            draw};
 }
 
 }  // namespace plumb
