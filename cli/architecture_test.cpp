@@ -18,7 +18,8 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"verification", {"core", "verification"}},
     {"verification/suites", {"core", "analytic", "estimators", "verification", "verification/suites"}},
     {"reports", {"core", "verification", "reports"}},
-    {"cli", {"core", "analytic", "estimators", "verification", "verification/suites", "reports", "cli"}},
+    {"studies", {"core", "analytic", "estimators", "verification", "reports", "studies"}},
+    {"cli", {"core", "analytic", "estimators", "verification", "verification/suites", "reports", "studies", "cli"}},
 };
 
 std::string folder_of(const std::string& path) {

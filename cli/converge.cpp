@@ -10,37 +10,18 @@
 #include "reports/html.h"
 #include "reports/json.h"
 #include "reports/table.h"
-#include "verification/convergence.h"
+#include "studies/measure.h"
 
 namespace plumb {
 namespace {
 
-template <int D>
-bool knows_integrand(const std::string& id) {
-    return std::ranges::any_of(integrands<D>(), [&](const Integrand<D>& f) { return f.id == id; });
-}
-
-template <int D>
-Series measure(const std::string& estimator_id, const Integrand<D>& integrand, const ConvergeOptions& options,
-               const Run& run) {
-    const Estimator<D>& estimator = find_estimator<D>(estimator_id);
-    const ConvergenceSetting setting{.estimator = estimator.id,
-                                     .integrand = integrand.id,
-                                     .truth = integrand.integral_value(),
-                                     .n = options.n,
-                                     .replicates = options.replicates};
-    const Replicate replicate = [&](std::uint64_t n, RandomStream& random) {
-        return estimator.run(integrand.value, n, random);
-    };
-    Series series = measure_convergence(replicate, setting, run.part(estimator.id + " on " + integrand.id));
-    if (estimator.expected_slope) series.expected_slope = estimator.expected_slope(integrand);
-    return series;
-}
-
 Series measure_any(const std::string& estimator, const std::string& integrand, const ConvergeOptions& options,
                    const Run& run) {
-    if (knows_integrand<1>(integrand)) return measure<1>(estimator, find_integrand<1>(integrand), options, run);
-    if (knows_integrand<2>(integrand)) return measure<2>(estimator, find_integrand<2>(integrand), options, run);
+    const auto& [n, replicates] = std::tie(options.n, options.replicates);
+    if (knows_integrand<1>(integrand))
+        return measure_series(find_estimator<1>(estimator), find_integrand<1>(integrand), n, replicates, run);
+    if (knows_integrand<2>(integrand))
+        return measure_series(find_estimator<2>(estimator), find_integrand<2>(integrand), n, replicates, run);
     std::vector<std::string> known;
     for (const auto& f : integrands<1>()) known.push_back(f.id);
     for (const auto& f : integrands<2>()) known.push_back(f.id);
@@ -60,6 +41,8 @@ void check_names(const ConvergeOptions& options) {
 
 int converge(const ConvergeOptions& options) {
     check_names(options);
+    for (const std::string& file : {options.json, options.report})
+        if (!file.empty()) check_writable(file);
     RunInfo info = start_run(options.seed, options.threads);
     const Run run(info.seed, "converge", 1);
     const auto start = std::chrono::steady_clock::now();

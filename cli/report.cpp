@@ -2,6 +2,7 @@
 #include "cli/run_info.h"
 #include "core/error.h"
 #include "reports/differences.h"
+#include "reports/file.h"
 #include "reports/html.h"
 #include "reports/store.h"
 #include "reports/table.h"
@@ -16,11 +17,14 @@ int report(const ReportOptions& options) {
         fmt::print("{}", runs_table(runs, terminal_style()));
         return 0;
     }
+    check_writable(options.report);
     const Results results = store.load(options.run.value_or(runs.back().id));
     std::optional<Results> against;
     if (options.against) against = store.load(*options.against);
     write_report(results, against, options.report);
     if (against) fmt::print("{}", differences_table(diff_runs(*against, results), terminal_style()));
+    if (!results.run.finished)
+        fmt::print("unfinished: {} verdicts so far\n", results.claims.size() + results.mutants.size());
     fmt::print("{}\nreport: {}\n", summary_line(results), options.report);
     return 0;
 }

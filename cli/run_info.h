@@ -22,6 +22,7 @@ public:
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
     void show(std::string_view text);
+    void clear();
 
 private:
     bool terminal_;

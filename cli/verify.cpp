@@ -1,85 +1,144 @@
 #include <chrono>
+#include <csignal>
+#include <iterator>
+#include <set>
+#include <sstream>
 
 #include "cli/commands.h"
+#include "cli/judge_watched.h"
+#include "cli/outputs.h"
 #include "cli/run_info.h"
-#include "reports/file.h"
-#include "reports/html.h"
-#include "reports/json.h"
+#include "cli/version.h"
+#include "core/error.h"
 #include "reports/store.h"
-#include "reports/table.h"
-#include "verification/runner.h"
-#include "verification/suites/suites.h"
 
 namespace plumb {
 namespace {
 
-Results to_results(RunInfo run, const Catalogue& catalogue, std::vector<Judged> judged, Size size) {
-    Results results;
-    for (Judged& one : judged) {
-        const Claim& claim = *one.claim;
-        if (one.mutant) {
-            const bool killed = one.verdict.outcome == Outcome::refuted;
-            results.mutants.push_back(
-                {one.id(), claim.id, one.mutant->defect, std::move(one.verdict), killed, one.seconds});
-        } else {
-            const double share = run.alpha * catalogue.share(claim, size);
-            results.claims.push_back({claim.id, claim.statement, claim.source, claim.kind, std::move(one.verdict),
-                                      share, one.seconds, claim.no_mutant});
-        }
-    }
-    for (const Erratum& erratum : catalogue.errata())
-        results.errata.push_back({erratum.source, erratum.printed, erratum.correct, erratum.claim});
-    results.run = std::move(run);
-    return results;
+/// A run that is stored, and what of it is still to be judged.
+struct Plan {
+    RunInfo run;
+    std::int64_t number = 0;
+    std::vector<Item> items = {};
+    std::size_t done = 0;  ///< verdicts that are stored already
+};
+
+Size size_of(const RunInfo& run) {
+    return run.size == "full" ? Size::full : Size::quick;
 }
 
-int exit_code(const Results& results) {
-    const auto claims = [&](Outcome outcome) {
-        return std::ranges::any_of(results.claims, [&](const ClaimResult& c) { return c.verdict.outcome == outcome; });
+std::vector<std::string> patterns_of(const RunInfo& run) {
+    std::istringstream words(run.patterns);
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
+// Two runs whose claims or shares differ must not be mixed.
+std::string fingerprint(const Catalogue& catalogue, const std::vector<Item>& items, Size size) {
+    std::string all;
+    for (const Item& item : items)
+        all += fmt::format("{} {} {}\n", item.position, item.id(), catalogue.share(*item.claim, size));
+    return fmt::format("{:016x}", stream_id(all));
+}
+
+std::vector<ErratumEntry> errata_of(const Catalogue& catalogue) {
+    std::vector<ErratumEntry> entries;
+    for (const Erratum& e : catalogue.errata()) entries.push_back({e.source, e.printed, e.correct, e.claim});
+    return entries;
+}
+
+Plan new_plan(const Catalogue& catalogue, const VerifyOptions& options) {
+    Plan plan{start_run(options.seed, options.threads)};
+    plan.run.alpha = options.alpha;
+    plan.run.size = options.full ? "full" : "quick";
+    plan.run.patterns = fmt::format("{}", fmt::join(options.patterns, " "));
+    plan.run.shard = options.shard.index;
+    plan.run.shards = options.shard.count;
+    const std::vector<Item> selected = select(catalogue, size_of(plan.run), options.patterns);
+    plan.run.selected = selected.size();
+    plan.run.fingerprint = fingerprint(catalogue, selected, size_of(plan.run));
+    plan.items = shard_of(selected, options.shard);
+    plan.number = Store(options.store, Store::Access::append).begin(plan.run, errata_of(catalogue));
+    return plan;
+}
+
+Plan unfinished_plan(const Catalogue& catalogue, const VerifyOptions& options) {
+    const Store store(options.store, Store::Access::read);
+    const std::vector<StoredRun> runs = store.runs();
+    const auto stored = std::find_if(runs.rbegin(), runs.rend(), [](const StoredRun& r) { return !r.run.finished; });
+    if (stored == runs.rend())
+        throw Error(fmt::format("{}: no run is unfinished: there is nothing to resume", options.store));
+    Plan plan{stored->run, stored->id};
+    if (plan.run.version != version)
+        throw Error(fmt::format("{}: run {} was begun by version {}; only that one can go on with it, this is {}",
+                                options.store, plan.number, plan.run.version, version));
+    plan.items = select(catalogue, size_of(plan.run), patterns_of(plan.run));
+    if (fingerprint(catalogue, plan.items, size_of(plan.run)) != plan.run.fingerprint)
+        throw Error(fmt::format("{}: the claims have changed since run {} was begun; verify them anew", options.store,
+                                plan.number));
+    plan.items = shard_of(std::move(plan.items), {plan.run.shard, plan.run.shards});
+    const Results results = store.load(plan.number);
+    std::set<std::uint64_t> judged;
+    for (const ClaimResult& claim : results.claims) judged.insert(claim.position);
+    for (const MutantResult& mutant : results.mutants) judged.insert(mutant.position);
+    plan.done = std::erase_if(plan.items, [&](const Item& item) { return judged.contains(item.position); });
+    return plan;
+}
+
+void append(Results& results, Judged one, double alpha_share) {
+    const Claim& claim = *one.claim;
+    if (one.mutant) {
+        const bool killed = one.verdict.outcome == Outcome::refuted;
+        results.mutants.push_back(
+            {one.id(), claim.id, one.mutant->defect, std::move(one.verdict), killed, one.seconds, one.position});
+    } else {
+        results.claims.push_back({claim.id, claim.statement, claim.source, claim.kind, std::move(one.verdict),
+                                  alpha_share, one.seconds, claim.no_mutant, one.position});
+    }
+}
+
+// Judges and stores what is left of the plan; returns the signal that ended it early, 0 for none.
+int carry_out(const Plan& plan, const Catalogue& catalogue, const VerifyOptions& options, Store& store) {
+    const Size size = size_of(plan.run);
+    const RunSetting setting{.seed = plan.run.seed,
+                             .alpha = plan.run.alpha,
+                             .size = size,
+                             .time_limit = options.time_limit,
+                             .threads = options.threads > 0 ? options.threads : plan.run.threads};
+    const auto start = std::chrono::steady_clock::now();
+    std::size_t done = plan.done;
+    const std::size_t total = plan.done + plan.items.size();
+    ProgressLine line;
+    const auto keep = [&](std::vector<Judged> judged) {
+        done += judged.size();
+        line.show(
+            fmt::format("{}/{} {} {}", done, total, to_string(judged.back().verdict.outcome), judged.back().id()));
+        Results results;
+        for (Judged& one : judged) {
+            const double share = plan.run.alpha * catalogue.share(*one.claim, size);
+            append(results, std::move(one), share);
+        }
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        store.add(plan.number, results.claims, results.mutants, plan.run.seconds + elapsed.count());
     };
-    const auto mutants = [&](Outcome outcome) {
-        return std::ranges::any_of(results.mutants,
-                                   [&](const MutantResult& m) { return m.verdict.outcome == outcome; });
+    const auto farewell = [&](int signal) {
+        line.clear();
+        fmt::print(stderr,
+                   "plumb: stopped by {}: {} of {} verdicts are kept in {}, run {}; `plumb verify --resume --store {}` "
+                   "goes on\n",
+                   signal == SIGINT ? "SIGINT" : "SIGTERM", done, total, options.store, plan.number, options.store);
     };
-    if (claims(Outcome::refuted) || mutants(Outcome::holds)) return 1;
-    if (claims(Outcome::undecided) || mutants(Outcome::undecided)) return 3;
-    return 0;
+    return judge_watched(catalogue, plan.items, setting, keep, farewell);
 }
 
 }  // namespace
 
-int verify(const VerifyOptions& options) {
-    const Catalogue catalogue = shipped_catalogue();
-    RunInfo run = start_run(options.seed, options.threads);
-    run.alpha = options.alpha;
-    run.size = options.full ? "full" : "quick";
-    run.patterns = fmt::format("{}", fmt::join(options.patterns, " "));
-    Store store(options.store, Store::Access::append);  // a store that cannot be written is found before the work
-
-    const RunSetting setting{.seed = run.seed,
-                             .alpha = options.alpha,
-                             .size = options.full ? Size::full : Size::quick,
-                             .patterns = options.patterns,
-                             .time_limit = options.time_limit,
-                             .threads = run.threads};
-    const auto start = std::chrono::steady_clock::now();
-    std::vector<Judged> judged;
-    {
-        ProgressLine line;
-        judged = judge(catalogue, setting, [&](const Judged& one, std::size_t done, std::size_t total) {
-            line.show(fmt::format("{}/{} {} {}", done, total, to_string(one.verdict.outcome), one.id()));
-        });
-    }
-    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-
-    const Results results = to_results(std::move(run), catalogue, std::move(judged), setting.size);
-    if (!options.json.empty()) write_file(options.json, to_json(results));
-    write_report(results, {}, options.report);
-    const std::int64_t number = store.append(results);
-    fmt::print("{}", verdict_table(results, terminal_style()));
-    fmt::print("run {} in {}, seed {}, {:.1f} s; report: {}\n", number, options.store, results.run.seed,
-               results.run.seconds, options.report);
-    return exit_code(results);
+int verify(const VerifyOptions& options, const Catalogue& catalogue) {
+    check_outputs(options);
+    const Plan plan = options.resume ? unfinished_plan(catalogue, options) : new_plan(catalogue, options);
+    Store store(options.store, Store::Access::append);
+    if (const int signal = carry_out(plan, catalogue, options, store)) return 128 + signal;
+    store.finish(plan.number);
+    return publish(store.load(plan.number), plan.number, options);
 }
 
 }  // namespace plumb

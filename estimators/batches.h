@@ -14,4 +14,12 @@ using IndependentRun = std::function<Estimate(std::uint64_t n, RandomStream&)>;
 /// Error unless 1 ≤ batches ≤ n.
 Estimate mean_of_batches(const IndependentRun& run, std::uint64_t n, std::uint64_t batches, RandomStream& random);
 
+/// An estimator in batches of about `size` samples each (one batch for fewer than 2 `size` samples).
+template <int D>
+Estimator<D> in_batches_of(std::string id, const Estimator<D>& estimator, std::uint64_t size);
+
+/// The same number of samples at every n, which is that of a batch: the mean of max(1, total/n) batches.
+template <int D>
+Estimator<D> batches_sharing(std::string id, const Estimator<D>& estimator, std::uint64_t total);
+
 }  // namespace plumb

@@ -6,6 +6,7 @@
 #include "estimators/density.h"
 #include "estimators/density_2d.h"
 #include "estimators/importance_sampling.h"
+#include "estimators/independent_slope.h"
 #include "estimators/mis_estimators.h"
 #include "estimators/russian_roulette.h"
 
@@ -27,14 +28,6 @@ std::vector<Technique<2>> shipped_techniques<2>() {
     return {technique_2d("uniform", ProductDensity<UniformDensity, UniformDensity>{}),
             technique_2d("bilinear", BilinearDensity(1, 2, 2, 3)),
             technique_2d("peaked", Peak{TruncatedExponential(4), TruncatedExponential(4)})};
-}
-
-/// Independent samples: MSE = variance/n, where there is a variance. (All densities here are bounded away from 0, so
-/// f²/p has an integral exactly when f² has one.)
-template <int D>
-std::optional<Interval> independent_slope(const Integrand<D>& f) {
-    if (!std::isfinite(f.variance_value())) return {};
-    return Interval{-1, -1};
 }
 
 std::vector<std::uint64_t> equal_counts(std::uint64_t n, std::size_t techniques) {

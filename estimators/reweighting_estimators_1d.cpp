@@ -4,10 +4,10 @@
 #include "estimators/cells_1d.h"
 #include "estimators/control_variate_line.h"
 #include "estimators/density.h"
-#include "estimators/piecewise_strata.h"
 #include "estimators/reweighting_1d.h"
 #include "estimators/reweighting_slopes_1d.h"
 #include "estimators/samples_1d.h"
+#include "estimators/step_density_estimators.h"
 #include "estimators/tent.h"
 #include "estimators/warp.h"
 
@@ -47,10 +47,6 @@ StepDensity four_steps() {
     return StepDensity::equal_pieces({1, 2, 3, 4});
 }
 
-std::optional<Interval> slope_of_independent_batches(const Integrand<1>& f) {
-    return f.smoothness == Smoothness::singular ? std::optional<Interval>{} : Interval{-1.1, -0.9};
-}
-
 Estimate run_trapezoid(const Function<1>& f, std::uint64_t n, RandomStream& random) {
     std::vector<double> nodes = independent_samples_1d(n, random);
     const std::vector<double> weights = trapezoid_weights_1d(nodes);
@@ -60,24 +56,6 @@ Estimate run_trapezoid(const Function<1>& f, std::uint64_t n, RandomStream& rand
 
 Estimate run_control_variate(const Function<1>& f, std::uint64_t n, RandomStream& random) {
     return control_variate_estimate_1d(f, independent_samples_1d(n, random));
-}
-
-Estimate run_density_reweighted(const Function<1>& f, std::uint64_t n, RandomStream& random) {
-    static const StepDensity density = four_steps();
-    std::vector<double> samples = independent_samples_1d(n, random);
-    for (double& x : samples) x = density.sample(x);
-    return weighted_sum(f, samples, density_reweighted_weights_1d(samples, density));
-}
-
-Estimate run_piecewise_strata(const Function<1>& f, std::uint64_t n, RandomStream& random) {
-    static const StepDensity density = four_steps();
-    return piecewise_strata_estimate(f, density, stratum_counts(density, n), random);
-}
-
-Estimate run_batches_of_16(const Function<1>& f, std::uint64_t n, RandomStream& random) {
-    const auto reweighted = cells(independent_samples_1d, reweighted_weights_1d);
-    return mean_of_batches([&](std::uint64_t size, RandomStream& r) { return reweighted(f, size, r); }, n,
-                           std::max<std::uint64_t>(1, n / 16), random);
 }
 
 }  // namespace
@@ -115,12 +93,10 @@ std::vector<Estimator<1>> reweighting_estimators_1d() {
          "ours, estimators/warp.h", true, through_ramp(reweighted), divided_slope_1d},
         {"warp-torus-tent", "Torus and tent in the primary sample of the density p(x) = 1/2 + x.",
          "ours, estimators/warp.h", true, through_ramp(folded(torus)), tent_slope_1d},
-        {"density-reweighted", "Samples of a density of four steps, Voronoi cells over g p.",
-         "ours, analytic/cell_weight_density.h", true, run_density_reweighted, stepped_density_slope_1d},
-        {"piecewise-strata", "Samples of a density of four steps, fixed counts a step, each step reweighted by itself.",
-         "thesis, section 4.4.4", true, run_piecewise_strata, stepped_density_slope_1d},
-        {"reweighted-batches-16", "The mean of independent reweighted batches of about 16 samples.",
-         "thesis, section 4.5.1", true, run_batches_of_16, slope_of_independent_batches},
+        step_reweighted_estimator("density-reweighted", four_steps()),
+        step_strata_estimator("piecewise-strata", four_steps()),
+        in_batches_of("reweighted-batches-16", Estimator<1>{"reweighted", "", "", true, reweighted, divided_slope_1d},
+                      16),
     };
 }
 

@@ -14,32 +14,67 @@
 namespace plumb {
 namespace fs = std::filesystem;
 
+namespace {
+
+[[noreturn]] void fail(const fs::path& file, std::string_view why) {
+    throw Error(fmt::format("{}: cannot be written: {}", file.string(), why));
+}
+
+/// Empty when all went well.
+std::string write_here(const fs::path& file, std::string_view text) {
+    std::ofstream stream(file, std::ios::binary);
+    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+    stream.close();
+    return stream ? "" : std::strerror(errno);
+}
+
+/// Where the text goes in the end.
+fs::path behind_links(const fs::path& file) {
+    std::error_code dangling;
+    const fs::path target = fs::is_symlink(file) ? fs::canonical(file, dangling) : file;
+    return dangling ? file : target;
+}
+
+bool takes_text_as_it_is(const fs::path& file) {
+    return fs::exists(file) && !fs::is_regular_file(file) && !fs::is_directory(file);
+}
+
+fs::path aside(const fs::path& file) {
+    return file.string() + fmt::format(".{}.part", ::getpid());
+}
+
+}  // namespace
+
 void write_file(const fs::path& file, std::string_view text) {
-    const auto fail = [&](std::string_view why) {
-        throw Error(fmt::format("{}: cannot be written: {}", file.string(), why));
-    };
     std::error_code error;
     if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
-    if (error) fail(error.message());
-    if (fs::is_directory(file)) fail("it is a folder");
+    if (error) fail(file, error.message());
+    if (fs::is_directory(file)) fail(file, "it is a folder");
 
-    const fs::path aside = file.string() + fmt::format(".{}.part", ::getpid());
-    {
-        std::ofstream stream(aside, std::ios::binary);
-        stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-        stream.close();
-        if (!stream) {
-            const int reason = errno;
-            fs::remove(aside, error);
-            fail(std::strerror(reason));
-        }
-    }
-    fs::rename(aside, file, error);
-    if (error) {
-        const std::string reason = error.message();
-        fs::remove(aside, error);
-        fail(reason);
-    }
+    const fs::path target = behind_links(file);
+    const bool in_place = takes_text_as_it_is(target);
+    const fs::path part = in_place ? target : aside(target);
+    const std::string reason = write_here(part, text);
+    if (in_place && !reason.empty()) fail(file, reason);
+    if (in_place) return;
+    if (reason.empty()) fs::rename(part, target, error);
+    if (reason.empty() && !error) return;
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    fail(file, error ? error.message() : reason);
+}
+
+void check_writable(const fs::path& file) {
+    if (fs::is_directory(file)) fail(file, "it is a folder");
+    const fs::path target = behind_links(file);
+    if (takes_text_as_it_is(target)) return;
+    fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
+    while (!fs::exists(folder) && folder.has_parent_path()) folder = folder.parent_path();
+    if (!fs::exists(folder)) folder = ".";  // of a relative path: its first folder will be made here
+    if (!fs::is_directory(folder)) fail(file, fmt::format("{} is not a folder", folder.string()));
+    const fs::path probe = aside(folder / "plumb");
+    if (const std::string reason = write_here(probe, ""); !reason.empty()) fail(file, reason);
+    fs::remove(probe);
 }
 
 std::string read_file(const fs::path& file) {

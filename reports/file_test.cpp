@@ -29,6 +29,32 @@ TEST(WriteFile, NamesTheFileThatCannotBeWritten) {
     EXPECT_THAT(error_of([&] { write_file(folder / "file/below.json", ""); }), HasSubstr("below.json: cannot be"));
 }
 
+TEST(WriteFile, KeepsLinksAndWritesToDevices) {
+    const TestFolder folder;
+    write_file(folder / "real/report.html", "old");
+    fs::create_symlink("real/report.html", folder / "link.html");
+    write_file(folder / "link.html", "new");
+    EXPECT_TRUE(fs::is_symlink(folder / "link.html"));
+    EXPECT_EQ(read_file(folder / "real/report.html"), "new");
+    write_file("/dev/null", "nothing");
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+    EXPECT_THAT(error_of([&] { write_file("/dev/full", "text"); }),
+                HasSubstr("/dev/full: cannot be written: No space"));
+}
+
+TEST(CheckWritable, FindsWhatWriteFileWouldFindAndLeavesNothing) {
+    const TestFolder folder;
+    fs::create_directories(folder / "taken");
+    write_file(folder / "file", "");
+    for (const char* good : {"new.json", "file", "a/b/c.json"}) EXPECT_NO_THROW(check_writable(folder / good)) << good;
+    EXPECT_THAT(error_of([&] { check_writable(folder / "taken"); }),
+                HasSubstr("taken: cannot be written: it is a folder"));
+    EXPECT_THAT(error_of([&] { check_writable(folder / "file/below/x.json"); }), HasSubstr("file is not a folder"));
+    EXPECT_THAT(error_of([&] { check_writable("/proc/plumb.json"); }),
+                HasSubstr("/proc/plumb.json: cannot be written"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 2) << "a leftover";
+}
+
 TEST(ReadFile, NamesTheFileThatIsNotThere) {
     const TestFolder folder;
     EXPECT_THAT(error_of([&] { (void)read_file(folder / "none.json"); }), HasSubstr("none.json: cannot be read"));

@@ -23,10 +23,8 @@ std::string title(const Results& results) {
     return results.claims.empty() ? "Plumb: convergence" : "Plumb: " + summary_line(results);
 }
 
-}  // namespace
-
-std::string report_html(const Results& results, const std::optional<Results>& against) {
-    const std::string heading = escaped(title(results)), data = page_data(results, against);
+std::string page_html(std::string_view title, std::string_view data) {
+    const std::string heading = escaped(title);
     const std::array<std::pair<std::string_view, std::string_view>, 7> parts = {{{"title", heading},
                                                                                  {"style", page::style()},
                                                                                  {"data", data},
@@ -44,6 +42,16 @@ std::string report_html(const Results& results, const std::optional<Results>& ag
         rest.remove_prefix(at + mark.size());
     }
     return html.append(rest);
+}
+
+}  // namespace
+
+std::string report_html(const Results& results, const std::optional<Results>& against) {
+    return page_html(title(results), page_data(results, against));
+}
+
+std::string study_html(const StudyResult& study) {
+    return page_html("Plumb study: " + study.about.title, page_data(study));
 }
 
 void write_report(const Results& results, const std::optional<Results>& against, const std::filesystem::path& file) {

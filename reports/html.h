@@ -6,6 +6,7 @@
 #include <string>
 
 #include "reports/results.h"
+#include "reports/study_result.h"
 
 namespace plumb {
 
@@ -18,5 +19,8 @@ void write_report(const Results& results, const std::optional<Results>& against,
 
 /// The page of `plumb converge`: convergence and work–precision only.
 void write_converge_report(const RunInfo& run, std::span<const Series> series, const std::filesystem::path& file);
+
+/// The page of a study: each figure with its text, and controls to look at it otherwise.
+std::string study_html(const StudyResult& study);
 
 }  // namespace plumb

@@ -138,6 +138,25 @@ TEST_F(PageInBrowser, DrawsConvergenceAlone) {
     EXPECT_EQ(page.saw("sections"), "convergence work");
 }
 
+TEST_F(PageInBrowser, DrawsAStudy) {
+    const std::vector<Series> series = sample_results().claims[6].verdict.series;
+    StudyResult study{.run = sample_results().run, .about = {"s", "A </script> study", "Text.", "ours"}, .figures = {}};
+    study.figures.push_back({{.id = "first", .title = "First", .source_says = "so", .slopes = {-1, -2}},
+                             {{"exp", 1.7, {series[0], series[1]}}, {"sine", 0, {series[2]}}}});
+    study.figures.push_back({{.id = "second", .title = "Second", .metrics = {Metric::bias, Metric::efficiency}},
+                             {{"exp", 1.7, {series[0]}}}});
+    for (const int width : {1280, 360}) {
+        const Browsed page = browse(study_html(study), width);
+        EXPECT_THAT(page.messages, Not(HasSubstr("CONSOLE")));
+        EXPECT_EQ(page.saw("error"), "");
+        EXPECT_EQ(page.saw("plots"), "4");
+        EXPECT_EQ(page.saw("plots-after"), "4");
+        EXPECT_EQ(page.saw("overflow"), "0");
+        EXPECT_EQ(page.saw("sections"), "about first second");
+        EXPECT_EQ(page.saw("wrong-numbers"), "false");
+    }
+}
+
 TEST_F(PageInBrowser, OfAnEmptyRunIsNoError) {
     const Browsed page = browse(report_html({}), 1280);
     EXPECT_THAT(page.messages, Not(HasSubstr("CONSOLE")));

@@ -77,6 +77,12 @@ Json fields(const std::vector<Field>& list) {
     return json;
 }
 
+Json objects(std::span<const ListRow> rows) {
+    Json json = Json::array();
+    for (const ListRow& row : rows) json.push_back(fields(row));
+    return json;
+}
+
 std::vector<Field> fields_from(const Json& json) {
     std::vector<Field> list;
     for (const auto& [name, field] : json.items()) list.emplace_back(name, value_from(field));
@@ -238,9 +244,19 @@ Json to(const ErratumEntry& e) {
 }
 
 Json to(const RunInfo& run) {
-    return {{"seed", run.seed},         {"alpha", number(run.alpha)},    {"threads", run.threads},
-            {"size", run.size},         {"version", run.version},        {"started", run.started},
-            {"patterns", run.patterns}, {"seconds", number(run.seconds)}};
+    return {{"seed", run.seed},
+            {"alpha", number(run.alpha)},
+            {"threads", run.threads},
+            {"size", run.size},
+            {"version", run.version},
+            {"started", run.started},
+            {"patterns", run.patterns},
+            {"shard", run.shard},
+            {"shards", run.shards},
+            {"selected", run.selected},
+            {"fingerprint", run.fingerprint},
+            {"finished", run.finished},
+            {"seconds", number(run.seconds)}};
 }
 
 RunInfo run_of(const Json& json) {
@@ -251,6 +267,11 @@ RunInfo run_of(const Json& json) {
             .version = json.at("version"),
             .started = json.at("started"),
             .patterns = json.at("patterns"),
+            .shard = json.at("shard"),
+            .shards = json.at("shards"),
+            .selected = json.at("selected"),
+            .fingerprint = json.at("fingerprint"),
+            .finished = json.at("finished"),
             .seconds = number_from(json.at("seconds"))};
 }
 
@@ -301,10 +322,12 @@ std::string converge_json(const RunInfo& run, std::span<const Series> series) {
     return text_of({{"run", to(run)}, {"series", list(series)}}, 2) + "\n";
 }
 
+std::string integration_json(const RunInfo& run, std::span<const ListRow> answers, std::span<const Series> series) {
+    return text_of({{"run", to(run)}, {"answers", objects(answers)}, {"series", list(series)}}, 2) + "\n";
+}
+
 std::string list_json(std::span<const ListRow> rows) {
-    Json json = Json::array();
-    for (const ListRow& row : rows) json.push_back(fields(row));
-    return text_of(json, 2) + "\n";
+    return text_of(objects(rows), 2) + "\n";
 }
 
 std::string claim_json(const ClaimResult& claim) {

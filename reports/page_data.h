@@ -4,11 +4,16 @@
 #include <string>
 
 #include "reports/results.h"
+#include "reports/study_result.h"
 
 namespace plumb {
 
 /// What the page's script reads: {"results": as to_json(), "against": null or {run, differences}}, on one line and
 /// fit to stand inside a <script> element. The seed is a string: JavaScript's numbers end at 2^53.
 std::string page_data(const Results& results, const std::optional<Results>& against);
+
+/// The same for a study: {"results": its run and all its series, "against": null, "study": its texts and figures, which
+/// name their series by index}.
+std::string page_data(const StudyResult& study);
 
 }  // namespace plumb

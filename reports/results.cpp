@@ -4,6 +4,31 @@
 
 namespace plumb {
 
+namespace {
+
+void forget_seconds(std::vector<Series>& list) {
+    for (Series& series : list)
+        for (ConvergencePoint& point : series.points) point.seconds = 0;
+}
+
+}  // namespace
+
+Results without_side_records(Results results) {
+    results.run.started.clear();
+    results.run.threads = 1;
+    results.run.seconds = 0;
+    forget_seconds(results.series);
+    for (ClaimResult& claim : results.claims) {
+        claim.seconds = 0;
+        forget_seconds(claim.verdict.series);
+    }
+    for (MutantResult& mutant : results.mutants) {
+        mutant.seconds = 0;
+        forget_seconds(mutant.verdict.series);
+    }
+    return results;
+}
+
 Tally tally(const Results& results) {
     Tally t;
     for (const ClaimResult& claim : results.claims) switch (claim.verdict.outcome) {

@@ -19,6 +19,10 @@ struct RunInfo {
     std::string version;         ///< of Plumb
     std::string started;         ///< ISO 8601, UTC: 2025-01-31T23:59:59Z
     std::string patterns;        ///< what was selected, separated by spaces; empty for everything
+    int shard = 1, shards = 1;   ///< the run is the shard-th of so many parts
+    std::uint64_t selected = 0;  ///< claims and mutants that all parts judge together
+    std::string fingerprint;     ///< of what was selected, with its shares: runs of different claims do not join
+    bool finished = true;        ///< false while it goes on, or when it was interrupted
     double seconds = 0;          ///< wall clock
 };
 
@@ -28,7 +32,8 @@ struct ClaimResult {
     Verdict verdict;
     double alpha_share = 0;  ///< the claim's share of the false-alarm budget, absolute
     double seconds = 0;
-    std::string no_mutant;  ///< why no mutant is possible, where there is none
+    std::string no_mutant;       ///< why no mutant is possible, where there is none
+    std::uint64_t position = 0;  ///< among the claims and mutants that were selected, in catalogue order
 };
 
 struct MutantResult {
@@ -38,6 +43,7 @@ struct MutantResult {
     Verdict verdict;
     bool killed = false;  ///< the claim refuted it
     double seconds = 0;
+    std::uint64_t position = 0;  ///< as above
 };
 
 /// A statement of a source that is wrong, what is right instead, and the claim that shows it.
@@ -53,6 +59,9 @@ struct Results {
     std::vector<ErratumEntry> errata = {};
     std::vector<Series> series = {};  ///< convergence that belongs to no claim (`plumb converge`)
 };
+
+/// The same but for what may differ between two runs of one seed: when, how long, on how many threads.
+Results without_side_records(Results results);
 
 struct Tally {
     std::size_t holds = 0, refuted = 0, undecided = 0;

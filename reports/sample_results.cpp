@@ -209,6 +209,11 @@ Results sample_results() {
                 .version = "0.1.0",
                 .started = "2025-01-31T23:59:59Z",
                 .patterns = "",
+                .shard = 1,
+                .shards = 1,
+                .selected = 0,
+                .fingerprint = "00c0ffee00c0ffee",
+                .finished = true,
                 .seconds = 57.31},
         .claims = reweighting_claims(),
         .mutants = {mutant("reweighting/torus/unbiased", "clipped", "cells clipped to the interval, called periodic",
@@ -225,6 +230,8 @@ Results sample_results() {
                     "It falls as N⁻² in 1D when f does not vanish at the ends.", "reweighting/torus-tent/rate"}},
         .series = {exact_series()}};
     for (ClaimResult& claim : mis_claims()) results.claims.push_back(std::move(claim));
+    for (ClaimResult& claim : results.claims) claim.position = results.run.selected++;
+    for (MutantResult& mutant : results.mutants) mutant.position = results.run.selected++;
     return results;
 }
 
@@ -233,8 +240,10 @@ Results earlier_sample_results() {
     results.run.started = "2025-01-30T08:00:00Z";
     results.run.seed = 7;
     results.claims[1].verdict.outcome = Outcome::undecided;
+    const std::uint64_t position = results.claims.back().position;
     results.claims.pop_back();
     results.claims.push_back(exact_claim("mis/maximum/sums", "The maximum heuristic's weights sum to 1."));
+    results.claims.back().position = position;
     results.mutants.pop_back();
     return results;
 }

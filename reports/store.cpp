@@ -17,13 +17,15 @@ namespace fs = std::filesystem;
 using sqlite::Database, sqlite::Statement, sqlite::Transaction;
 
 constexpr std::int64_t application_id = 0x706c6d62;  // "plmb": tells our file from another program's database
-constexpr std::int64_t schema_version = 1;
+constexpr std::int64_t schema_version = 2;
 
 // Claims, mutants and series are stored as the JSON that docs/json.md describes; what one may want to query by SQL
 // stands in columns of its own. The seed is text, because SQLite's integers are signed.
 constexpr const char* schema = R"(
     CREATE TABLE runs (run INTEGER PRIMARY KEY, seed TEXT NOT NULL, alpha REAL, threads INTEGER NOT NULL,
-        size TEXT NOT NULL, version TEXT NOT NULL, started TEXT NOT NULL, patterns TEXT NOT NULL, seconds REAL);
+        size TEXT NOT NULL, version TEXT NOT NULL, started TEXT NOT NULL, patterns TEXT NOT NULL,
+        shard INTEGER NOT NULL, shards INTEGER NOT NULL, selected INTEGER NOT NULL, fingerprint TEXT NOT NULL,
+        finished INTEGER NOT NULL, seconds REAL);
     CREATE TABLE claims (run INTEGER NOT NULL REFERENCES runs, position INTEGER NOT NULL, id TEXT NOT NULL,
         kind TEXT NOT NULL, outcome TEXT NOT NULL, samples INTEGER NOT NULL, seconds REAL, json TEXT NOT NULL,
         PRIMARY KEY (run, position)) WITHOUT ROWID;
@@ -63,15 +65,16 @@ void create_schema(const Database& database) {
 void check_schema(const Database& database) {
     if (database.pragma("application_id") != application_id)
         throw Error(fmt::format("{}: a SQLite database, but not a results store", database.file().string()));
-    if (const std::int64_t version = database.pragma("user_version"); version > schema_version)
-        throw Error(fmt::format("{}: written by a newer plumb (schema {}; this one knows {})", database.file().string(),
-                                version, schema_version));
+    if (const std::int64_t version = database.pragma("user_version"); version != schema_version)
+        throw Error(fmt::format("{}: written by {} plumb (schema {}; this one knows {})", database.file().string(),
+                                version > schema_version ? "a newer" : "an older", version, schema_version));
 }
 
 std::int64_t add_run(const Database& database, const RunInfo& run) {
-    Statement(database, "INSERT INTO runs VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?)")
+    Statement(database, "INSERT INTO runs VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
         .with(std::to_string(run.seed), run.alpha, std::int64_t{run.threads}, run.size, run.version, run.started,
-              run.patterns, run.seconds)
+              run.patterns, std::int64_t{run.shard}, std::int64_t{run.shards}, static_cast<std::int64_t>(run.selected),
+              run.fingerprint, std::int64_t{run.finished}, run.seconds)
         .step();
     return sqlite3_last_insert_rowid(database.handle());
 }
@@ -94,26 +97,30 @@ RunInfo run_info(const Statement& row) {  // of a query for runs.*
             .version = row.text(5),
             .started = row.text(6),
             .patterns = row.text(7),
-            .seconds = row.real(8)};
+            .shard = static_cast<int>(row.integer(8)),
+            .shards = static_cast<int>(row.integer(9)),
+            .selected = static_cast<std::uint64_t>(row.integer(10)),
+            .fingerprint = row.text(11),
+            .finished = row.integer(12) != 0,
+            .seconds = row.real(13)};
 }
 
 void add_claims(const Database& database, std::int64_t run, const std::vector<ClaimResult>& claims) {
-    Statement insert(database, "INSERT INTO claims VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
-    std::int64_t position = 0;
+    Statement insert(database, "INSERT INTO claims VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING");
     for (const ClaimResult& claim : claims)
         insert
-            .with(run, position++, claim.id, to_string(claim.kind), to_string(claim.verdict.outcome),
-                  static_cast<std::int64_t>(claim.verdict.samples), claim.seconds, claim_json(claim))
+            .with(run, static_cast<std::int64_t>(claim.position), claim.id, to_string(claim.kind),
+                  to_string(claim.verdict.outcome), static_cast<std::int64_t>(claim.verdict.samples), claim.seconds,
+                  claim_json(claim))
             .step();
 }
 
 void add_mutants(const Database& database, std::int64_t run, const std::vector<MutantResult>& mutants) {
-    Statement insert(database, "INSERT INTO mutants VALUES (?, ?, ?, ?, ?, ?, ?)");
-    std::int64_t position = 0;
+    Statement insert(database, "INSERT INTO mutants VALUES (?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING");
     for (const MutantResult& mutant : mutants)
         insert
-            .with(run, position++, mutant.id, mutant.of, to_string(mutant.verdict.outcome), std::int64_t{mutant.killed},
-                  mutant_json(mutant))
+            .with(run, static_cast<std::int64_t>(mutant.position), mutant.id, mutant.of,
+                  to_string(mutant.verdict.outcome), std::int64_t{mutant.killed}, mutant_json(mutant))
             .step();
 }
 
@@ -133,10 +140,14 @@ void add_series(const Database& database, std::int64_t run, const std::vector<Se
 template <class Read>
 auto rows(const Database& database, const char* table, std::int64_t run, const Read& read) {
     const std::string name = fmt::format("{}: run {}: {}", database.file().string(), run, table);
-    Statement select(database, fmt::format("SELECT json FROM {} WHERE run = ? ORDER BY position", table));
+    Statement select(database, fmt::format("SELECT json, position FROM {} WHERE run = ? ORDER BY position", table));
     select.with(run);
     std::vector<decltype(read(std::string_view(), std::string_view()))> found;
-    while (select.step()) found.push_back(read(select.text(0), name));
+    while (select.step()) {
+        found.push_back(read(select.text(0), name));
+        if constexpr (requires { found.back().position; })
+            found.back().position = static_cast<std::uint64_t>(select.integer(1));
+    }
     return found;
 }
 
@@ -144,7 +155,13 @@ auto rows(const Database& database, const char* table, std::int64_t run, const R
 
 Store::Store(const fs::path& file, Access access, std::chrono::milliseconds patience)
     : database_(open(file, access, patience)) {
-    if (access == Access::append && is_empty(*database_)) create_schema(*database_);
+    if (access == Access::append && is_empty(*database_)) try {
+            create_schema(*database_);
+        } catch (const Error&) {
+            std::error_code error;
+            if (fs::file_size(file, error) == 0 && !error) fs::remove(file, error);
+            throw;
+        }
     check_schema(*database_);
 }
 
@@ -159,6 +176,28 @@ std::int64_t Store::append(const Results& results) {
     add_series(*database_, run, results.series);
     transaction.commit();
     return run;
+}
+
+std::int64_t Store::begin(const RunInfo& run, const std::vector<ErratumEntry>& errata) {
+    Transaction transaction(*database_);
+    const std::int64_t number = add_run(*database_, run);
+    add_errata(*database_, number, errata);
+    Statement(*database_, "UPDATE runs SET finished = 0 WHERE run = ?").with(number).step();
+    transaction.commit();
+    return number;
+}
+
+void Store::add(std::int64_t run, const std::vector<ClaimResult>& claims, const std::vector<MutantResult>& mutants,
+                double seconds) {
+    Transaction transaction(*database_);
+    add_claims(*database_, run, claims);
+    add_mutants(*database_, run, mutants);
+    Statement(*database_, "UPDATE runs SET seconds = ? WHERE run = ?").with(seconds, run).step();
+    transaction.commit();
+}
+
+void Store::finish(std::int64_t run) {
+    Statement(*database_, "UPDATE runs SET finished = 1 WHERE run = ?").with(run).step();
 }
 
 Results Store::load(std::int64_t run) const {
@@ -190,7 +229,7 @@ std::vector<StoredRun> Store::runs() const {
     std::vector<StoredRun> found;
     while (select.step()) {
         const auto count = [&](int column) { return static_cast<std::size_t>(select.integer(column)); };
-        found.push_back({select.integer(0), run_info(select), {count(9), count(10), count(11), count(12), count(13)}});
+        found.push_back({select.integer(0), run_info(select), {count(14), count(15), count(16), count(17), count(18)}});
     }
     return found;
 }

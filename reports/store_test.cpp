@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <sqlite3.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <cstdio>
 
 #include "core/error.h"
@@ -84,6 +86,37 @@ TEST(Store, StoresARunWholeOrNotAtAll) {
     EXPECT_THAT(store.runs(), SizeIs(0));
 }
 
+TEST(Store, KeepsVerdictsAsTheyCome) {
+    const TestFolder folder;
+    const Results whole = sample_results();
+    Store store = fresh(folder / "results.db");
+    const std::int64_t run = store.begin(whole.run, whole.errata);
+    store.add(run, {whole.claims[3]}, {whole.mutants[1]}, 1.5);
+    const std::vector<StoredRun> runs = fresh(folder / "results.db").runs();
+    EXPECT_FALSE(runs.at(0).run.finished);
+    EXPECT_EQ(runs.at(0).run.seconds, 1.5);
+    EXPECT_EQ(store.load(run).claims.at(0).id, whole.claims[3].id);
+
+    store.add(run, whole.claims, whole.mutants, whole.run.seconds);  // also what is there already
+    store.finish(run);
+    Results expected = whole;
+    expected.series.clear();
+    EXPECT_EQ(to_json(store.load(run)), to_json(expected));
+}
+
+TEST(Store, LeavesNoFileWhenItCannotBeMade) {
+    const TestFolder folder;
+    const rlimit none{0, RLIM_INFINITY};
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &none);
+    const std::string error = open_error(folder / "results.db");
+    setrlimit(RLIMIT_FSIZE, &before);
+    EXPECT_THAT(error, HasSubstr("results.db: cannot be written"));
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
 TEST(Store, SaysThatItIsLocked) {
     const TestFolder folder;
     Store store(folder / "results.db", Store::Access::append, std::chrono::milliseconds(10));
@@ -129,6 +162,8 @@ TEST(Store, RefusesANewerSchema) {
     Other(folder / "results.db").run("PRAGMA user_version = 99");
     EXPECT_THAT(open_error(folder / "results.db", Store::Access::read),
                 AllOf(HasSubstr("results.db: written by a newer plumb"), HasSubstr("schema 99")));
+    Other(folder / "results.db").run("PRAGMA user_version = 1");
+    EXPECT_THAT(open_error(folder / "results.db"), HasSubstr("results.db: written by an older plumb (schema 1"));
 }
 
 TEST(Store, NamesTheFileThatCannotBeMade) {

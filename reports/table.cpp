@@ -76,6 +76,12 @@ std::string series_table(const Series& series, const TableStyle& style) {
            slope;
 }
 
+/// "all", "2/3", "2/3, unfinished"
+std::string part_of_run(const RunInfo& run) {
+    const std::string shard = run.shards == 1 ? "all" : fmt::format("{}/{}", run.shard, run.shards);
+    return run.finished ? shard : shard + ", unfinished";
+}
+
 std::string list_of(std::string_view heading, const std::vector<std::string>& ids) {
     std::string text;
     for (const std::string& id : ids) text += fmt::format("{}  {}\n", heading, id);
@@ -139,7 +145,8 @@ std::string runs_table(std::span<const StoredRun> runs, const TableStyle& style)
         rows.push_back({std::to_string(stored.id), stored.run.started, stored.run.size, std::to_string(stored.run.seed),
                         std::to_string(stored.tally.holds), std::to_string(stored.tally.refuted),
                         std::to_string(stored.tally.undecided),
-                        fmt::format("{} of {}", stored.tally.killed, stored.tally.mutants), stored.run.patterns});
+                        fmt::format("{} of {}", stored.tally.killed, stored.tally.mutants), part_of_run(stored.run),
+                        stored.run.patterns});
     return table({{"run", Align::right},
                   {"started"},
                   {"size"},
@@ -148,6 +155,7 @@ std::string runs_table(std::span<const StoredRun> runs, const TableStyle& style)
                   {"refuted", Align::right},
                   {"undecided", Align::right},
                   {"mutants", Align::right},
+                  {"part"},
                   {"patterns"}},
                  rows, columns(style));
 }

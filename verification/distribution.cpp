@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "verification/distributions.h"
 
@@ -50,7 +51,7 @@ double least_expected_count(double alpha) {
     return std::max(100.0, std::pow(normal_upper_quantile(alpha / 2), 6) / 16);
 }
 
-std::uint64_t samples_needed(const DistributionClaim& claim, double alpha, double beta) {
+std::uint64_t distribution_samples(const DistributionClaim& claim, double alpha, double beta) {
     const double freedom = positive_cells(claim) - 1;
     const double unlucky = chi_square_upper_quantile(undecided_risk, freedom);
     const double by_power =
@@ -58,8 +59,8 @@ std::uint64_t samples_needed(const DistributionClaim& claim, double alpha, doubl
     const double by_count = least_expected_count(alpha) / rarest_cell(claim);
     const double needed = std::ceil(std::max(by_power * (1 + 1e-6), by_count));
     if (!(needed <= static_cast<double>(most_samples)))
-        throw std::logic_error(
-            fmt::format("distribution_is: {:.2g} samples are needed (rarest cell {:.2g}, delta {:.2g}"
+        throw Error(
+            fmt::format("distribution: {:.2g} samples are needed (rarest cell {:.2g}, delta {:.2g}"
                         "); join rare cells with their neighbours or allow a larger delta",
                         needed, rarest_cell(claim), claim.delta));
     return static_cast<std::uint64_t>(needed);
@@ -125,29 +126,21 @@ Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const Distribu
 Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, const Run& run) {
     check_setting(claim);
     constexpr std::uint64_t batch = 4096;
-    const std::uint64_t n = samples_needed(claim, run.alpha(), run.beta());
+    const std::uint64_t n = distribution_samples(claim, run.alpha(), run.beta());
     const std::uint64_t batches = (n + batch - 1) / batch;
     const std::size_t cells = claim.probabilities.size();
     std::vector<std::vector<std::uint64_t>> partial(batches);
     for_batches(batches, [&](std::size_t b) {
         std::vector<std::uint64_t> counts(cells + 1);  // the last: outside every cell
-        if (!run.out_of_time())
-            for (std::uint64_t i = b * batch; i < std::min<std::uint64_t>((b + 1) * batch, n); ++i) {
-                RandomStream random = run.random(i);
-                ++counts[std::min(draw(random), cells)];
-            }
+        for (std::uint64_t i = b * batch; i < std::min<std::uint64_t>((b + 1) * batch, n); ++i) {
+            RandomStream random = run.random(i);
+            ++counts[std::min(draw(random), cells)];
+        }
         partial[b] = std::move(counts);
     });
     std::vector<std::uint64_t> counts(cells + 1);
     for (const auto& part : partial)
         for (std::size_t cell = 0; cell <= cells; ++cell) counts[cell] += part[cell];
-    if (run.out_of_time()) {
-        Verdict verdict;
-        verdict.samples = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
-        verdict.resolution = claim.delta;
-        verdict.reason = "the time limit came before a decision";
-        return verdict;
-    }
     return chi_square_verdict(counts, claim, run.alpha(), run.beta());
 }
 

@@ -76,8 +76,7 @@ Verdict every_value_is(const Draw& draw, const MeanClaim& claim, const Run& run)
     return verdict;
 }
 
-std::string undecided_reason(const MeanTest& test, const Run& run, std::uint64_t cap) {
-    if (run.out_of_time()) return "the time limit came before a decision";
+std::string undecided_reason(const MeanTest& test, std::uint64_t cap) {
     if (!test.tails_allow_a_decision())
         return fmt::format("heavy tails: the skewness {:.3g} of {} samples makes every interval of the mean worthless",
                            test.moments().skewness(), test.moments().count());
@@ -89,8 +88,7 @@ double mean_of(const MeanTest& test, const Units& units) {
 }
 
 // What the test found, as a verdict about mean − reference; the sentences name what was claimed.
-Verdict describe(const MeanTest& test, MeanTest::Decision decision, const Units& units, std::uint64_t cap,
-                 const Run& run) {
+Verdict describe(const MeanTest& test, MeanTest::Decision decision, const Units& units, std::uint64_t cap) {
     const Moments& moments = test.moments();  // of (x − reference)/delta
     Verdict verdict;
     verdict.samples = moments.count();
@@ -102,7 +100,7 @@ Verdict describe(const MeanTest& test, MeanTest::Decision decision, const Units&
     switch (decision) {
         case MeanTest::Decision::holds: verdict.outcome = Outcome::holds; break;
         case MeanTest::Decision::refuted: verdict.outcome = Outcome::refuted; break;
-        case MeanTest::Decision::none: verdict.reason = undecided_reason(test, run, cap);
+        case MeanTest::Decision::none: verdict.reason = undecided_reason(test, cap);
     }
     verdict.evidence = {{"mean", mean_of(test, units)},
                         {"standard_error", units.delta * moments.standard_error()},
@@ -121,7 +119,7 @@ Verdict describe(const MeanTest& test, MeanTest::Decision decision, const Units&
 std::optional<Verdict> feed(MeanTest& test, MeanTest::Decision& decision, const Draw& draw, const Interval& bounds,
                             const Units& units, std::uint64_t cap, const Run& run) {
     std::uint64_t drawn = 0;
-    while (decision == MeanTest::Decision::none && drawn < cap && !run.out_of_time()) {
+    while (decision == MeanTest::Decision::none && drawn < cap) {
         const std::uint64_t wave =
             std::min(cap - drawn, std::clamp<std::uint64_t>(drawn / 4 / 256 * 256, 1024, 1 << 18));
         std::vector<double> values = draw_values(draw, run, drawn, wave);
@@ -163,7 +161,7 @@ Verdict mean_is(const Draw& draw, const MeanClaim& claim, const Run& run) {
     MeanTest test({{-allowed, allowed}, {-1, 1}, 1, units.of(bounds), run.alpha(), run.beta(), claim.min_samples});
     auto decision = MeanTest::Decision::none;
     if (std::optional<Verdict> defect = feed(test, decision, draw, bounds, units, claim.cap, run)) return *defect;
-    Verdict verdict = describe(test, decision, units, claim.cap, run);
+    Verdict verdict = describe(test, decision, units, claim.cap);
     verdict.evidence.emplace_back("epsilon", claim.epsilon);
     const double mean = mean_of(test, units), error = units.delta * test.moments().standard_error(),
                  bias = units.delta * test.moments().mean();
@@ -184,7 +182,7 @@ Verdict mean_at_most(const Draw& draw, const AtMostClaim& claim, const Run& run)
     MeanTest test({below, below, 1, units.of(bounds), run.alpha(), run.beta(), 0});
     auto decision = MeanTest::Decision::none;
     if (std::optional<Verdict> defect = feed(test, decision, draw, bounds, units, claim.cap, run)) return *defect;
-    Verdict verdict = describe(test, decision, units, claim.cap, run);
+    Verdict verdict = describe(test, decision, units, claim.cap);
     const double mean = mean_of(test, units), error = units.delta * test.moments().standard_error();
     if (decision == MeanTest::Decision::holds)
         verdict.reason =

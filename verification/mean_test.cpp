@@ -90,13 +90,6 @@ TEST(MeanIs, SurvivesCancellationOfTwelveDigits) {
     EXPECT_EQ(mean_is(far, {.reference = 1e12 + 0.6, .delta = 0.02, .epsilon = 0.001}, run).outcome, Outcome::refuted);
 }
 
-TEST(MeanIs, TheTimeLimitOnlyMakesUndecided) {
-    const plumb::Run late(1, "late", 1e-6, Size::quick, std::chrono::steady_clock::now() - std::chrono::seconds(1));
-    const Verdict verdict = mean_is(uniform, {.reference = 0.7, .delta = 0.01, .bounds = {0, 1}}, late);
-    EXPECT_EQ(verdict.outcome, Outcome::undecided);
-    EXPECT_THAT(verdict.reason, HasSubstr("time limit"));
-}
-
 TEST(MeanIs, RejectsSettingsThatMeanNothing) {
     EXPECT_THROW((void)mean_is(uniform, {.reference = 0.5}, run), std::logic_error);
     EXPECT_THROW((void)mean_is(uniform, {.reference = 0.5, .delta = 0.1, .epsilon = 0.2}, run), std::logic_error);

@@ -50,9 +50,7 @@ Verdict log_ratio_verdict(const LogRatio& ratio, const Interval& claimed, std::u
     const auto numbers = fmt::format("{} {:.4g}, 99 % interval {:.4g} … {:.4g}; claimed {:.4g} … {:.4g}", what,
                                      std::exp(ratio.value), sharp.low, sharp.high, claimed.low, claimed.high);
     verdict.reason = numbers;
-    if (run.out_of_time())
-        verdict.reason = "the time limit came before a decision";
-    else if (!(ratio.standard_error <= 0.25))  // also NaN: zero sample variance decides nothing
+    if (!(ratio.standard_error <= 0.25))  // also NaN: zero sample variance decides nothing
         verdict.reason = "a variance is zero or its error exceeds 25 %: nothing is decided; " + numbers;
     else if (wide.disjoint(claimed))
         verdict.outcome = Outcome::refuted;

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 
 #include "core/error.h"
 #include "verification/deterministic.h"
@@ -76,6 +78,67 @@ TEST(Judge, ACheckThatThrowsIsUndecided) {
     const std::vector<Judged> judged = judge(catalogue, {}, silent);
     EXPECT_EQ(judged[0].verdict.outcome, Outcome::undecided);
     EXPECT_THAT(judged[0].verdict.reason, testing::HasSubstr("out of luck"));
+}
+
+// A claim whose every draw takes a while, and one that is quick.
+Catalogue slow_and_quick(std::chrono::milliseconds draw_time) {
+    Catalogue catalogue = toy();
+    const Check slow = [draw_time](const plumb::Run& run) {
+        const auto draw = [draw_time](RandomStream& random) {
+            std::this_thread::sleep_for(draw_time);
+            return random.uniform();
+        };
+        return mean_is(draw, {.reference = 0.5, .delta = 1e-3, .bounds = {0, 1}}, run);
+    };
+    catalogue.add({.id = "slow/mean",
+                   .statement = "It takes its time.",
+                   .source = "ours",
+                   .kind = Kind::mean,
+                   .check = slow,
+                   .no_mutant = "a test"});
+    return catalogue;
+}
+
+TEST(Judge, TheTimeLimitOnlyMakesUndecided) {
+    const Catalogue catalogue = slow_and_quick(std::chrono::milliseconds(20));
+    const auto start = std::chrono::steady_clock::now();
+    const std::vector<Judged> judged =
+        judge(catalogue, {.time_limit = std::chrono::milliseconds(300), .threads = 2}, silent);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(800));
+    ASSERT_EQ(judged.size(), 6u);
+    EXPECT_EQ(judged[5].verdict.outcome, Outcome::undecided);
+    EXPECT_THAT(judged[5].verdict.reason, testing::HasSubstr("time limit"));
+}
+
+TEST(Judge, AStopDropsWhatIsOpenAndKeepsWhatIsDone) {
+    const Catalogue catalogue = slow_and_quick(std::chrono::milliseconds(20));
+    std::stop_source stop;
+    std::chrono::steady_clock::time_point asked;
+    const auto stop_at_last = [&](const Judged&, std::size_t done, std::size_t) {
+        if (done < 5) return;
+        asked = std::chrono::steady_clock::now();
+        stop.request_stop();
+    };
+    const std::vector<Judged> judged =
+        judge(catalogue, {.seed = 5, .stop = stop.get_token(), .threads = 2}, stop_at_last);
+    EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::milliseconds(500));
+    ASSERT_EQ(judged.size(), 5u);
+    EXPECT_EQ(judged[4].id(), "sum/exact");
+}
+
+TEST(ShardOf, SplitsClaimsAndMutantsIntoPartsThatMakeUpTheWhole) {
+    const Catalogue catalogue = toy();
+    const std::vector<Item> all = select(catalogue, Size::quick, {});
+    std::vector<std::size_t> positions;
+    for (const int index : {1, 2, 3})
+        for (const Item& item : shard_of(all, {index, 3})) {
+            positions.push_back(item.position);
+            EXPECT_EQ(item.id(), all[item.position].id());
+        }
+    std::ranges::sort(positions);
+    EXPECT_EQ(positions, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+    EXPECT_EQ(shard_of(all, {1, 3}).size(), 2u);
+    EXPECT_EQ(shard_of(all, {9, 9}).size(), 0u);
 }
 
 TEST(Catalogue, SharesAlphaAmongStatisticalClaims) {

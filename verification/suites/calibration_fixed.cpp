@@ -96,7 +96,7 @@ Verdict two_cell_wrong_holds(const Holds& holds) {
                 const double p = q + sign * delta * std::sqrt(q * (1 - q));
                 if (p < 0 || p > 1) continue;
                 const DistributionClaim claim{{q, 1 - q}, delta};
-                const auto n = static_cast<std::int64_t>(samples_needed(claim, alpha_in_use, beta_in_use));
+                const auto n = static_cast<std::int64_t>(distribution_samples(claim, alpha_in_use, beta_in_use));
                 const Counts holding =
                     counts_around(nearest_count(n, q), n, [&](std::int64_t k) { return holds(k, n, claim); });
                 cases.push_back(
@@ -112,7 +112,7 @@ Verdict two_cell_undecided(double fraction) {
         for (const double q : rare_cells) {
             const DistributionClaim claim{{q, 1 - q}, delta};
             const auto n = static_cast<std::int64_t>(
-                fraction * static_cast<double>(samples_needed(claim, alpha_in_use, beta_in_use)));
+                fraction * static_cast<double>(distribution_samples(claim, alpha_in_use, beta_in_use)));
             const auto region = [&](Outcome outcome, bool inside) {
                 return counts_around(nearest_count(n, q), n, [&](std::int64_t k) {
                     return (outcome_of_two_cells(k, n, claim, alpha_in_use) == outcome) == inside;

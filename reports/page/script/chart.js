@@ -3,11 +3,11 @@
 const COLOURS = 8,
   SYMBOLS = ["circle", "square", "triangle", "diamond", "cross", "star", "wye"];
 
-/** One colour and symbol for a name, the same in every figure of the page. */
+/** One colour and symbol for a name, the same in every figure of the page; a study says which. */
 const styleOf = (() => {
   const order = [...new Set(allSeries.map((series) => series.estimator))];
   return (name) => {
-    const i = order.indexOf(name);
+    const i = study ? study.styles[name] : order.indexOf(name);
     return { colour: `var(--series-${i % COLOURS})`, symbol: SYMBOLS[i % SYMBOLS.length] };
   };
 })();

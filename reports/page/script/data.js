@@ -1,6 +1,6 @@
 // What the program wrote into the page, and how claims, mutants and series hang together.
 
-const { results, against } = JSON.parse(document.getElementById("data").textContent);
+const { results, against, study } = JSON.parse(document.getElementById("data").textContent);
 
 const claims = results.claims ?? [];
 const mutants = results.mutants ?? [];

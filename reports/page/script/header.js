@@ -14,6 +14,8 @@ function runFacts(run) {
     fact("wall clock", seconds(run.seconds)),
     fact("version", run.version),
     fact("selected", run.patterns),
+    fact("shard", run.shards === 1 ? "" : `${run.shard} of ${run.shards}`),
+    fact("state", run.finished ? "" : `unfinished: ${claims.length + mutants.length} verdicts so far`),
   );
 }
 

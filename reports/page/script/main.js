@@ -11,7 +11,15 @@ function followHash(openClaim) {
   else if (hash) document.getElementById(hash)?.scrollIntoView();
 }
 
+function show(title, sections, openClaim) {
+  document.getElementById("top").replaceWith(...pageHeader(title, sections));
+  document.getElementById("main").replaceChildren(...sections);
+  addEventListener("hashchange", () => followHash(openClaim));
+  followHash(openClaim);
+}
+
 function build() {
+  if (study) return show(`Study: ${study.title}`, studySections());
   const convergence = allSeries.length ? convergenceSection() : null;
   const verdicts = claims.length ? verdictSection((integrand) => convergence?.show(integrand)) : null;
   const sections = [
@@ -24,12 +32,7 @@ function build() {
     mutants.length ? mutantSection() : null,
     results.errata?.length ? errataSection() : null,
   ].filter(Boolean);
-  document
-    .getElementById("top")
-    .replaceWith(...pageHeader(claims.length ? "Plumb: verification report" : "Plumb: convergence", sections));
-  document.getElementById("main").replaceChildren(...sections);
-  addEventListener("hashchange", () => followHash(verdicts?.open));
-  followHash(verdicts?.open);
+  show(claims.length ? "Plumb: verification report" : "Plumb: convergence", sections, verdicts?.open);
 }
 
 build();

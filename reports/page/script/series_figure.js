@@ -6,13 +6,27 @@ const X_AXES = {
   seconds: { label: "seconds per estimate", of: (p) => p.seconds },
 };
 
-/** Each gives [value, low, high]; efficiency turns the interval round. */
+/** Each gives [value, low, high], of a point and {cost, integral}; efficiency turns the interval round. `slope` is the
+    exponent where that of the MSE is 1. */
 const Y_AXES = {
   mse: { label: "MSE", of: (p) => [p.mse, p.mse_low, p.mse_high], slope: 1 },
   rmse: { label: "RMSE", of: (p) => [p.mse, p.mse_low, p.mse_high].map((v) => Math.sqrt(Math.max(v, 0))), slope: 0.5 },
+  relative_mse: {
+    label: "relative MSE",
+    of: (p, { integral }) => [p.mse, p.mse_low, p.mse_high].map((v) => v / integral ** 2),
+    slope: 1,
+  },
+  bias: {
+    label: "|bias|",
+    of: (p) => [0, -1.96, 1.96].map((z) => Math.abs(p.bias) + z * p.bias_standard_error),
+  },
   efficiency: {
     label: "efficiency 1 / (MSE × cost)",
-    of: (p, cost) => [1 / (p.mse * cost), 1 / (p.mse_high * cost), p.mse_low > 0 ? 1 / (p.mse_low * cost) : Infinity],
+    of: (p, { cost }) => [
+      1 / (p.mse * cost),
+      1 / (p.mse_high * cost),
+      p.mse_low > 0 ? 1 / (p.mse_low * cost) : Infinity,
+    ],
   },
 };
 
@@ -25,7 +39,7 @@ const costOf = (p, x) => (x === "seconds" ? p.seconds : p.evaluations);
 function plottable(series, x, y) {
   const drawn = [];
   for (const p of series.points) {
-    const [value, low, high] = Y_AXES[y].of(p, costOf(p, x));
+    const [value, low, high] = Y_AXES[y].of(p, { cost: costOf(p, x), integral: series.integral });
     const at = X_AXES[x].of(p);
     if (!(value > 0 && Number.isFinite(value) && at > 0)) continue;
     drawn.push({ series, point: p, x: at, y: value, ...logBand(value, low, high) });
@@ -47,6 +61,33 @@ function expectedLine({ drawn }, series, x, y) {
   }));
 }
 
+/** Guides of the given exponents of the MSE, from the highest of the first points down to the lowest that is shown. */
+function guideLines(points, values, slopes, { x, y }) {
+  const power = Y_AXES[y].slope;
+  if (!slopes?.length || !power || x === "seconds" || points.length === 0) return [];
+  const [left, right] = d3.extent(points, (d) => d.x);
+  const start = d3.max(points, (d) => (d.x === left ? d.y : -Infinity));
+  const floor = d3.min(values.filter((v) => v > 0));
+  return slopes.map((slope) => {
+    const exponent = slope * power;
+    const end = exponent < 0 ? Math.min(right, left * (floor / start) ** (1 / exponent)) : right;
+    return { exponent, ends: [left, end].map((at) => ({ exponent, x: at, y: start * (at / left) ** exponent })) };
+  });
+}
+
+function guideMarks(guides) {
+  return [
+    Plot.line(
+      guides.flatMap((g) => g.ends),
+      { x: "x", y: "y", z: "exponent", stroke: "var(--soft)", strokeDasharray: "5 4", strokeWidth: 1 },
+    ),
+    Plot.text(
+      guides.map((g) => g.ends[1]),
+      { x: "x", y: "y", text: (d) => readable(d.exponent), fill: "var(--soft)", textAnchor: "start", dx: 4 },
+    ),
+  ];
+}
+
 function tipText(d) {
   const p = d.point;
   return [
@@ -57,7 +98,7 @@ function tipText(d) {
   ].join("\n");
 }
 
-function seriesMarks(list, { x, y, bands, expected }) {
+function seriesMarks(list, { x, y, bands, expected, slopes }) {
   const colour = (d) => styleOf(d.series.estimator).colour;
   const symbol = (d) => styleOf(d.series.estimator).symbol;
   const parts = list.map((series) => plottable(series, x, y));
@@ -65,7 +106,9 @@ function seriesMarks(list, { x, y, bands, expected }) {
   const lines = list.flatMap((series, i) => expectedLine(parts[i], series, x, y));
   const key = (d) => d.series.key;
   const clamped = bands ? points.filter((d) => d.lowClamped || d.highClamped) : [];
+  const shown = bands ? points.flatMap((d) => [d.low, d.y, d.high]) : points.map((d) => d.y);
   const marks = [
+    ...guideMarks(guideLines(points, shown, slopes, { x, y })),
     bands ? Plot.areaY(points, { x: "x", y1: "low", y2: "high", z: key, fill: colour, fillOpacity: 0.16 }) : null,
     expected
       ? Plot.line(lines, { x: "x", y: "y", z: key, stroke: colour, strokeDasharray: "2 4", strokeWidth: 1.25 })
@@ -80,7 +123,6 @@ function seriesMarks(list, { x, y, bands, expected }) {
     Plot.dot(points, { x: "x", y: "y", stroke: colour, fill: "var(--paper)", symbol, r: 3.5, strokeWidth: 1.75 }),
     Plot.tip(points, Plot.pointer({ x: "x", y: "y", title: tipText })),
   ];
-  const shown = bands ? points.flatMap((d) => [d.low, d.y, d.high]) : points.map((d) => d.y);
   return { marks, points, values: shown, clamped: clamped.length, missing: d3.sum(parts, (part) => part.missing) };
 }
 
@@ -107,9 +149,9 @@ function drawSeries(list, setting, width) {
     height,
     marginLeft: 52,
     marginBottom: 42,
-    marginRight: 16,
+    marginRight: setting.slopes?.length ? 30 : 16,
     marginTop: 28,
-    x: logAxis(X_AXES[setting.x].label, width, xs, X_AXES[setting.x].base),
+    x: logAxis(setting.xLabels?.[setting.x] || X_AXES[setting.x].label, width, xs, X_AXES[setting.x].base),
     y: logAxis(Y_AXES[setting.y].label, height, ys),
     symbol: { type: "identity" },
     marks: drawn.marks,

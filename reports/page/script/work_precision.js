@@ -10,6 +10,7 @@ function workSection() {
     hidden: new Set(),
   };
   const last = (s) => s.points.at(-1);
+  const { relative_mse, ...errors } = Y_AXES; // a series alone does not know its integral
   return seriesSection({
     id: "work",
     title: "Work–precision",
@@ -17,7 +18,7 @@ function workSection() {
     lead: "What an error costs: the same measurements against evaluations of the integrand or against seconds. Efficiency is 1 / (MSE × cost), the cost in evaluations, or in seconds when they are the axis. Seconds depend on the machine and decide nothing.",
     controls: (redraw) => [
       axisChoice("Across", X_AXES, state, "x", redraw),
-      axisChoice("Up", Y_AXES, state, "y", redraw),
+      axisChoice("Up", errors, state, "y", redraw),
       toggleOf("Confidence bands", state, "bands", redraw),
     ],
     legend: {

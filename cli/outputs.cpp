@@ -1,0 +1,62 @@
+#include "cli/outputs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "cli/run_info.h"
+#include "core/error.h"
+#include "reports/file.h"
+#include "reports/html.h"
+#include "reports/json.h"
+#include "reports/junit.h"
+#include "reports/table.h"
+
+namespace plumb {
+namespace {
+
+std::filesystem::path real_path(const std::filesystem::path& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
+}
+
+int exit_code(const Results& results) {
+    const auto claims = [&](Outcome outcome) {
+        return std::ranges::any_of(results.claims, [&](const ClaimResult& c) { return c.verdict.outcome == outcome; });
+    };
+    const auto mutants = [&](Outcome outcome) {
+        return std::ranges::any_of(results.mutants,
+                                   [&](const MutantResult& m) { return m.verdict.outcome == outcome; });
+    };
+    if (claims(Outcome::refuted) || mutants(Outcome::holds)) return 1;
+    if (claims(Outcome::undecided) || mutants(Outcome::undecided)) return 3;
+    return 0;
+}
+
+}  // namespace
+
+void check_outputs(const Outputs& outputs) {
+    std::map<std::filesystem::path, std::string> taken = {{real_path(outputs.store), "--store"}};
+    for (const auto& [option, file] : {std::pair("--json", outputs.json), std::pair("--junit", outputs.junit),
+                                       std::pair("--report", outputs.report)}) {
+        if (file.empty()) continue;
+        check_writable(file);
+        const auto [other, is_new] = taken.emplace(real_path(file), option);
+        if (!is_new)
+            throw Error(
+                fmt::format("{}: named by {} and {}; each needs a file of its own", file, other->second, option));
+    }
+}
+
+int publish(const Results& results, std::int64_t run, const Outputs& outputs) {
+    if (!outputs.json.empty()) write_file(outputs.json, to_json(results));
+    if (!outputs.junit.empty()) write_file(outputs.junit, junit_xml(results));
+    if (!outputs.report.empty()) write_report(results, {}, outputs.report);
+    fmt::print("{}", verdict_table(results, terminal_style()));
+    for (const ClaimResult& claim : results.claims)  // what the table's width may have cut off
+        if (claim.verdict.outcome != Outcome::holds) fmt::print("{}: {}\n", claim.id, describe(claim.verdict));
+    fmt::print("run {} in {}, seed {}, {:.1f} s{}\n", run, outputs.store, results.run.seed, results.run.seconds,
+               outputs.report.empty() ? "" : "; report: " + outputs.report);
+    return exit_code(results);
+}
+
+}  // namespace plumb

@@ -1,0 +1,114 @@
+// The real program, interrupted and resumed, or split into shards and merged, gives what one run gives.
+
+#include <gmock/gmock.h>
+
+#include <thread>
+
+#include "cli/test_program.h"
+#include "reports/json.h"
+#include "reports/store.h"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr, testing::SizeIs;
+using clock = std::chrono::steady_clock;
+
+using Words = std::vector<std::string>;
+
+Words with(Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+const Words much = {"verify", "points/*", "mis/*", "--seed", "7", "--threads", "1"};
+const Words little = {"verify", "debiasing/*", "--seed", "7"};
+
+/// What a run left in its JSON file, without side records.
+std::string json_of(const fs::path& file) {
+    return to_json(without_side_records(results_from_json(read_file(file), file.string())));
+}
+
+Results stored(const fs::path& file) {
+    const Store store(file, Store::Access::read);
+    EXPECT_THAT(store.runs(), SizeIs(1));
+    return store.load(1);
+}
+
+std::string comparable(const fs::path& store) {
+    return to_json(without_side_records(stored(store)));
+}
+
+void wait_for_a_verdict(const fs::path& store) {
+    const auto has_one = [&] {
+        if (!fs::exists(store) || fs::file_size(store) == 0) return false;
+        const Results results = Store(store, Store::Access::read).runs().empty() ? Results() : stored(store);
+        return !results.claims.empty();
+    };
+    for (const auto give_up = clock::now() + std::chrono::minutes(2); !has_one() && clock::now() < give_up;)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+}
+
+class Interrupted : public testing::TestWithParam<int> {};
+
+TEST_P(Interrupted, EndsAsIfItHadNotBeenInterrupted) {
+    const TestFolder folder;
+    Program whole(folder.path(), with(much, {"--store", "whole.db", "--json", "whole.json"}));
+    const int code = whole.wait();
+
+    Program interrupted(folder.path(), with(much, {"--store", "a.db", "--json", "a.json", "--report", "a.html"}));
+    wait_for_a_verdict(folder / "a.db");
+    const auto asked = clock::now();
+    interrupted.send(GetParam());
+    EXPECT_EQ(interrupted.wait(), 128 + GetParam());
+    EXPECT_LT(clock::now() - asked, std::chrono::seconds(1));
+    EXPECT_THAT(interrupted.errors(), HasSubstr("`plumb verify --resume --store a.db` goes on"));
+    EXPECT_FALSE(fs::exists(folder / "a.json") || fs::exists(folder / "a.html")) << "no partial output";
+    const std::size_t kept = stored(folder / "a.db").claims.size();
+    EXPECT_GT(kept, 0u);
+    EXPECT_LT(kept, stored(folder / "whole.db").claims.size());
+
+    Program resumed(folder.path(), {"verify", "--resume", "--store", "a.db", "--json", "a.json"});
+    EXPECT_EQ(resumed.wait(), code) << resumed.errors();
+    EXPECT_EQ(json_of(folder / "a.json"), json_of(folder / "whole.json"));
+    EXPECT_EQ(comparable(folder / "a.db"), comparable(folder / "whole.db"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupted, testing::Values(SIGINT, SIGTERM),
+                         [](const auto& signal) { return signal.param == SIGINT ? "Interrupt" : "Terminate"; });
+
+TEST(Resume, GoesOnAfterTheDiskWasFull) {
+    const TestFolder folder;
+    Program full(folder.path(), with(little, {"--store", "a.db", "--report", ""}), {.file_size = 40'000});
+    EXPECT_EQ(full.wait(), 2);
+    EXPECT_THAT(full.errors(), HasSubstr("a.db: cannot be written"));
+    Program resumed(folder.path(), {"verify", "--resume", "--store", "a.db", "--report", ""});
+    EXPECT_EQ(resumed.wait(), 0) << resumed.errors();
+    Program whole(folder.path(), with(little, {"--store", "whole.db", "--report", ""}));
+    EXPECT_EQ(whole.wait(), 0);
+    EXPECT_EQ(comparable(folder / "a.db"), comparable(folder / "whole.db"));
+}
+
+TEST(Shards, MakeUpTheRunWithoutShards) {
+    const TestFolder folder;
+    Program whole(folder.path(), with(little, {"--store", "whole.db", "--json", "whole.json"}));
+    EXPECT_EQ(whole.wait(), 0);
+    Words merge = {"merge", "--store", "out.db", "--json", "out.json", "--junit", "out.xml"};
+    for (const std::string index : {"2", "1", "3"}) {
+        const std::string store = "shard-" + index + ".db";
+        Program shard(folder.path(), with(little, {"--shard", index + "/3", "--store", store, "--report", ""}));
+        EXPECT_EQ(shard.wait(), 0) << shard.errors();
+        merge.push_back(store);
+    }
+    for (int time = 0; time < 2; ++time) {
+        Program merged(folder.path(), merge);
+        EXPECT_EQ(merged.wait(), 0) << merged.errors();
+        EXPECT_EQ(json_of(folder / "out.json"), json_of(folder / "whole.json"));
+        EXPECT_EQ(comparable(folder / "out.db"), comparable(folder / "whole.db"));
+    }
+    EXPECT_THAT(read_file(folder / "out.xml"), HasSubstr("<testsuite name=\"debiasing\""));
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,18 @@
+#pragma once
+
+namespace plumb {
+
+/// While it lives, the first SIGINT or SIGTERM is only noted; the second ends the program at once. A signal that was
+/// ignored when the program started (nohup, a job in the background) stays ignored.
+class StopSignal {
+public:
+    StopSignal();
+    ~StopSignal();
+    StopSignal(const StopSignal&) = delete;
+    StopSignal& operator=(const StopSignal&) = delete;
+
+    /// The signal that came, 0 for none.
+    [[nodiscard]] static int caught();
+};
+
+}  // namespace plumb

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "reports/study_result.h"
+#include "reports/table.h"
+
+namespace plumb {
+
+/// A line for each series of each figure: the error at the largest n, and the slope of log MSE on log n, fitted and
+/// expected.
+std::string study_table(const StudyResult& study, const TableStyle& style = {});
+
+}  // namespace plumb

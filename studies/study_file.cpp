@@ -1,0 +1,282 @@
+#include "studies/study_file.h"
+
+#include <filesystem>
+
+#include "core/error.h"
+#include "estimators/batches.h"
+#include "estimators/step_density_estimators.h"
+#include "studies/sample_counts.h"
+
+#include <toml++/toml.h>
+
+namespace plumb {
+namespace {
+
+std::string found(const toml::node& node) {
+    if (const auto text = node.value_exact<std::string>()) return fmt::format("'{}'", *text);
+    if (const auto number = node.value_exact<std::int64_t>()) return fmt::format("{}", *number);
+    if (const auto number = node.value_exact<double>()) return fmt::format("{}", *number);
+    if (node.is_array()) return node.as_array()->empty() ? "an empty list" : "a list";
+    if (node.is_table()) return "a table";
+    return node.is_boolean() ? "true or false" : "a date or time";
+}
+
+/// One table of the file. Every complaint names file, line and key.
+class Section {
+public:
+    /// Keys other than the accepted ones are errors.
+    Section(const toml::table& table, std::string name, const std::string& file, std::vector<std::string> accepted)
+        : table_(table), name_(std::move(name)), file_(file) {
+        for (const auto& [key, node] : table_)
+            if (std::ranges::find(accepted, key.str()) == accepted.end())
+                throw Error(fmt::format("{}:{}: {}", file_, key.source().begin.line,
+                                        unknown_name("key", path(key.str()), paths(accepted)).what()));
+    }
+
+    [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
+
+    [[noreturn]] void fail(std::string_view key, std::string_view message) const {
+        const toml::node* const node = table_.get(key);
+        const auto line = (node ? node->source() : table_.source()).begin.line;
+        throw Error(fmt::format("{}:{}: {}: {}", file_, line, path(key), message));
+    }
+
+    /// What `read` makes of the key's node; an Error of its own is placed.
+    template <class Read>
+    auto read(std::string_view key, const Read& read) const {
+        const toml::node* const node = table_.get(key);
+        if (!node) fail(key, "is missing");
+        try {
+            return read(*node);
+        } catch (const Error& error) {
+            fail(key, error.what());
+        }
+    }
+
+    [[nodiscard]] std::string text(std::string_view key) const {
+        return read(key, [](const toml::node& node) { return value<std::string>(node, "a string"); });
+    }
+    [[nodiscard]] std::string text(std::string_view key, std::string_view fallback) const {
+        return has(key) ? text(key) : std::string(fallback);
+    }
+
+    [[nodiscard]] std::uint64_t count(std::string_view key, std::uint64_t least, std::uint64_t most) const {
+        return read(key, [&](const toml::node& node) {
+            const std::string accepted = fmt::format("an integer from {} to {}", least, most);
+            const auto number = value<std::int64_t>(node, accepted);
+            if (number < 0 || static_cast<std::uint64_t>(number) < least || static_cast<std::uint64_t>(number) > most)
+                throw Error(fmt::format("{} found; {} is accepted", number, accepted));
+            return static_cast<std::uint64_t>(number);
+        });
+    }
+
+    /// One value or a list of them, at least one; `convert` may throw Error.
+    template <class T, class Convert>
+    auto list(std::string_view key, const char* accepted, const Convert& convert) const {
+        return read(key, [&](const toml::node& node) {
+            std::vector<std::remove_cvref_t<decltype(convert(T{}))>> values;
+            if (const toml::array* array = node.as_array())
+                for (const toml::node& item : *array) values.push_back(convert(value<T>(item, accepted)));
+            else
+                values.push_back(convert(value<T>(node, accepted)));
+            if (values.empty()) throw Error(fmt::format("an empty list found; at least one is needed"));
+            return values;
+        });
+    }
+    [[nodiscard]] std::vector<std::string> names(std::string_view key) const {
+        return list<std::string>(key, "a name", std::identity{});
+    }
+    [[nodiscard]] std::vector<double> numbers(std::string_view key) const {
+        return list<double>(key, "a number", std::identity{});
+    }
+
+    /// The tables [[key]], in order; none when there is no such key.
+    [[nodiscard]] std::vector<const toml::table*> tables(std::string_view key) const {
+        std::vector<const toml::table*> list;
+        if (!has(key)) return list;
+        const toml::array* array = table_.get(key)->as_array();
+        if (!array || !array->is_homogeneous<toml::table>())
+            fail(key, fmt::format("{} found; tables are accepted, each headed [[{}]]", found(*table_.get(key)), key));
+        for (const toml::node& node : *array) list.push_back(node.as_table());
+        return list;
+    }
+
+private:
+    template <class T>
+    static T value(const toml::node& node, std::string_view accepted) {
+        if (const auto value = node.value<T>(); value && node.is_boolean() == false) return *value;
+        throw Error(fmt::format("{} found; {} is accepted", found(node), accepted));
+    }
+
+    [[nodiscard]] std::string path(std::string_view key) const {
+        return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
+    }
+    [[nodiscard]] std::vector<std::string> paths(const std::vector<std::string>& keys) const {
+        std::vector<std::string> list;
+        for (const std::string& key : keys) list.push_back(path(key));
+        return list;
+    }
+
+    const toml::table& table_;
+    std::string name_, file_;
+};
+
+// ---- budgets, metrics, axes, guides: may stand at the top as defaults, and in a figure
+
+const std::vector<std::string> measure_keys = {"n", "evaluations", "replicates", "metrics", "x", "slopes"};
+
+std::vector<std::uint64_t> counts(const Section& section, const char* key) {
+    return section.read(key, [&](const toml::node& node) {
+        if (const auto range = node.value_exact<std::string>()) return parse_sample_counts(*range);
+        const auto one_by_one = section.list<std::int64_t>(key, "a list of counts or a range such as \"16..4096\"",
+                                                           [](std::int64_t n) { return std::to_string(n); });
+        return parse_sample_counts(fmt::format("{}", fmt::join(one_by_one, ",")));
+    });
+}
+
+void read_measure(const Section& section, FigurePlan& plan) {
+    if (section.has("n") && section.has("evaluations"))
+        section.fail("evaluations", "stands beside n; one of the two is accepted");
+    if (section.has("n")) plan.budget = {Budget::Unit::samples, counts(section, "n")};
+    if (section.has("evaluations")) plan.budget = {Budget::Unit::evaluations, counts(section, "evaluations")};
+    if (section.has("replicates")) plan.replicates = section.count("replicates", 2, 100'000'000);
+    if (section.has("metrics")) plan.about.metrics = section.list<std::string>("metrics", "a metric", metric_from);
+    if (section.has("x")) plan.about.x = section.read("x", [&](const auto&) { return work_from(section.text("x")); });
+    if (section.has("slopes")) plan.about.slopes = section.numbers("slopes");
+}
+
+// ---- the study's own estimators
+
+template <int D>
+void add_batches(Study& study, const Section& section, const std::string& id, const std::string& of) {
+    if (!knows_estimator<D>(study, of)) return;
+    const Estimator<D> estimator = find_estimator<D>(study, of);
+    own_estimators<D>(study).push_back(section.has("size")
+                                           ? in_batches_of(id, estimator, section.count("size", 1, most_samples))
+                                           : batches_sharing(id, estimator, section.count("total", 1, most_samples)));
+}
+
+void read_batches(Study& study, const Section& section, const std::string& id) {
+    const std::string of = section.text("of");
+    if (section.has("size") == section.has("total")) section.fail("method", "batches need either size or total");
+    if (!knows_estimator<1>(study, of) && !knows_estimator<2>(study, of))
+        section.read("of", [&](const auto&) { return find_estimator<1>(study, of).id; });
+    add_batches<1>(study, section, id, of);
+    add_batches<2>(study, section, id, of);
+}
+
+StepDensity read_steps(const Section& section) {
+    const std::vector<double> masses = section.numbers("masses");
+    return section.read(section.has("edges") ? "edges" : "masses", [&](const auto&) {
+        return section.has("edges") ? StepDensity(section.numbers("edges"), masses) : StepDensity::equal_pieces(masses);
+    });
+}
+
+using StepEstimator = Estimator<1> (*)(std::string, StepDensity);
+const std::vector<std::pair<std::string, StepEstimator>> step_methods = {
+    {"step-importance", step_importance_estimator},
+    {"step-strata", step_strata_estimator},
+    {"step-reweighted", step_reweighted_estimator},
+};
+
+void read_estimator(Study& study, const toml::table& table, const std::string& file) {
+    const std::vector<std::string> for_batches = {"id", "method", "of", "size", "total"},
+                                   for_steps = {"id", "method", "masses", "edges"};
+    const bool batches = table["method"].value_exact<std::string>() == "batches";
+    const Section section(table, "estimator", file, batches ? for_batches : for_steps);
+    const std::string id = section.text("id"), method = section.text("method");
+    if (knows_estimator<1>(study, id) || knows_estimator<2>(study, id))
+        section.fail("id", fmt::format("'{}' is the name of another estimator", id));
+    if (batches) return read_batches(study, section, id);
+    std::vector<std::string> known = {"batches"};
+    for (const auto& [name, make] : step_methods) {
+        if (name == method) return study.estimators_1d.push_back(make(id, read_steps(section)));
+        known.push_back(name);
+    }
+    section.fail("method", unknown_name("method", method, known).what());
+}
+
+// ---- figures
+
+template <int D>
+void check_estimators(const Study& study, const FigurePlan& plan, const Section& section, const Integrand<D>& f) {
+    section.read("estimators", [&](const auto&) {
+        for (const std::string& id : plan.estimators) find_estimator<D>(study, id);
+        return 0;
+    });
+    const bool relative = std::ranges::find(plan.about.metrics, Metric::relative_mse) != plan.about.metrics.end();
+    if (relative && std::abs(f.integral_value()) <= 1e-12 * f.root_mean_square())
+        section.fail("metrics", fmt::format("relative_mse of '{}', whose integral is 0", f.id));
+}
+
+void check_names(const Study& study, const FigurePlan& plan, const Section& section) {
+    for (const std::string& id : plan.integrands) {
+        if (knows_integrand<1>(id)) {
+            check_estimators(study, plan, section, find_integrand<1>(id));
+        } else if (knows_integrand<2>(id)) {
+            check_estimators(study, plan, section, find_integrand<2>(id));
+        } else {
+            std::vector<std::string> known;
+            for (const auto& f : integrands<1>()) known.push_back(f.id);
+            for (const auto& f : integrands<2>()) known.push_back(f.id);
+            section.fail("integrands", unknown_name("integrand", id, known).what());
+        }
+    }
+}
+
+void check_id(const Study& study, const std::string& id, const Section& section) {
+    const std::string_view accepted = "abcdefghijklmnopqrstuvwxyz0123456789-";
+    if (id.empty() || id.find_first_not_of(accepted) != std::string::npos)
+        section.fail("id", fmt::format("'{}' found; lower-case letters, digits and hyphens are accepted", id));
+    for (const FigurePlan& other : study.figures)
+        if (other.about.id == id) section.fail("id", fmt::format("'{}' is the id of an earlier figure", id));
+}
+
+void read_figure(Study& study, FigurePlan plan, const toml::table& table, const std::string& file) {
+    std::vector<std::string> accepted = {"id", "title", "text", "source_says", "estimators", "integrands", "x_label"};
+    accepted.insert(accepted.end(), measure_keys.begin(), measure_keys.end());
+    const Section section(table, "figure", file, accepted);
+    read_measure(section, plan);
+    plan.about.id = section.text("id");
+    check_id(study, plan.about.id, section);
+    plan.about.title = section.text("title", plan.about.id);
+    plan.about.text = section.text("text", "");
+    plan.about.source_says = section.text("source_says", "");
+    plan.about.x_label = section.text("x_label", "");
+    plan.estimators = section.names("estimators");
+    plan.integrands = section.names("integrands");
+    if (plan.budget.counts.empty()) section.fail("n", "is missing; it, or evaluations, may also stand at the top");
+    check_names(study, plan, section);
+    study.figures.push_back(std::move(plan));
+}
+
+toml::table parsed(std::string_view text, const std::string& file) {
+    try {
+        return toml::parse(text, file);
+    } catch (const toml::parse_error& error) {
+        throw Error(fmt::format("{}:{}: not TOML: {}", file, error.source().begin.line, error.description()));
+    }
+}
+
+}  // namespace
+
+Study parse_study(std::string_view text, const std::string& file) {
+    const toml::table table = parsed(text, file);
+    std::vector<std::string> accepted = {"title", "text", "source", "seed", "estimator", "figure"};
+    accepted.insert(accepted.end(), measure_keys.begin(), measure_keys.end());
+    const Section top(table, "", file, accepted);
+    Study study;
+    study.about = {.name = std::filesystem::path(file).stem().string(),
+                   .title = top.text("title"),
+                   .text = top.text("text", ""),
+                   .source = top.text("source", "")};
+    if (top.has("seed")) study.seed = top.count("seed", 0, std::uint64_t{1} << 53);
+    FigurePlan defaults;
+    read_measure(top, defaults);
+    for (const toml::table* estimator : top.tables("estimator")) read_estimator(study, *estimator, file);
+    for (const toml::table* figure : top.tables("figure")) read_figure(study, defaults, *figure, file);
+    if (study.figures.empty()) throw Error(fmt::format("{}: no figure; at least one [[figure]] is needed", file));
+    return study;
+}
+
+}  // namespace plumb
