@@ -79,9 +79,9 @@ void add_calibration_claims_of_error_bars(Catalogue& catalogue) {
         add_claim<1>(catalogue, id, "exp");
         add_claim<2>(catalogue, id, "exp-sum");
     }
-    for (const auto* id : {"stratified", "sobol-owen", "hammersley-shifted"})
+    for (const auto* id : {"stratified", "sobol-owen", "hammersley-shifted", "torus-tent"})
         add_replicated_claim<1>(catalogue, id, "exp");
-    for (const auto* id : {"latin-hypercube", "cmj", "torus-tent"}) add_replicated_claim<2>(catalogue, id, "exp-sum");
+    for (const auto* id : {"latin-hypercube", "cmj"}) add_replicated_claim<2>(catalogue, id, "exp-sum");
 }
 
 }  // namespace plumb

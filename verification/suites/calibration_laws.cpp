@@ -31,10 +31,15 @@ Tilt normal_tilt(double theta) {
 
 }  // namespace
 
-TiltedLaw TiltedLaw::without_bounds(double smaller_delta_over_sigma, std::uint64_t least_samples) const {
+TiltedLaw TiltedLaw::at(double another_delta_over_sigma) const {
     TiltedLaw law = *this;
+    law.delta_over_sigma = another_delta_over_sigma;
+    return law;
+}
+
+TiltedLaw TiltedLaw::without_bounds(double smaller_delta_over_sigma, std::uint64_t least_samples) const {
+    TiltedLaw law = at(smaller_delta_over_sigma);
     law.bounds = {};
-    law.delta_over_sigma = smaller_delta_over_sigma;
     law.min_samples = least_samples;
     return law;
 }

@@ -41,6 +41,7 @@ struct TiltedLaw {
     [[nodiscard]] std::uint64_t cap() const {
         return static_cast<std::uint64_t>(100 / (delta_over_sigma * delta_over_sigma));
     }
+    [[nodiscard]] TiltedLaw at(double another_delta_over_sigma) const;
     /// The same values with nothing known of their range: then delta must be so small that the guard on skewness is
     /// satisfied by the time the test could decide, n = 14 (sigma/delta)² or so.
     [[nodiscard]] TiltedLaw without_bounds(double smaller_delta_over_sigma, std::uint64_t least_samples) const;
