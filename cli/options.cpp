@@ -7,7 +7,7 @@
 
 #include "cli/version.h"
 #include "core/error.h"
-#include "studies/sample_counts.h"
+#include "core/sample_counts.h"
 
 namespace plumb {
 namespace {

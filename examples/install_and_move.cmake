@@ -5,4 +5,6 @@ execute_process(COMMAND ${CMAKE_COMMAND} --install "${build}" --prefix "${to}-fi
                 COMMAND_ERROR_IS_FATAL ANY)
 file(RENAME "${to}-first" "${to}")
 file(GLOB left "${runs}/*/*")
-file(REMOVE_RECURSE ${left})
+if(left)
+  file(REMOVE_RECURSE ${left})
+endif()

@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "estimators/batches.h"
 #include "estimators/step_density_estimators.h"
-#include "studies/sample_counts.h"
+#include "core/sample_counts.h"
 
 #include <toml++/toml.h>
 

@@ -52,18 +52,19 @@ double least_expected_count(double alpha) {
 }
 
 std::uint64_t distribution_samples(const DistributionClaim& claim, double alpha, double beta) {
+    const auto affordable = [&](double needed) {
+        if (needed <= static_cast<double>(most_samples)) return needed;
+        throw Error(
+            fmt::format("distribution: {:.2g} samples are needed (rarest cell {:.2g}, delta {:.2g}); accepted: at most "
+                        "{:.2g}; join rare cells with their neighbours or allow a larger delta",
+                        needed, rarest_cell(claim), claim.delta, static_cast<double>(most_samples)));
+    };
+    const double by_count = affordable(least_expected_count(alpha) / rarest_cell(claim));
     const double freedom = positive_cells(claim) - 1;
     const double unlucky = chi_square_upper_quantile(undecided_risk, freedom);
-    const double by_power =
-        noncentrality_upper_bound(unlucky, freedom, tail_of_bound(claim, beta)) / (claim.delta * claim.delta);
-    const double by_count = least_expected_count(alpha) / rarest_cell(claim);
-    const double needed = std::ceil(std::max(by_power * (1 + 1e-6), by_count));
-    if (!(needed <= static_cast<double>(most_samples)))
-        throw Error(
-            fmt::format("distribution: {:.2g} samples are needed (rarest cell {:.2g}, delta {:.2g}"
-                        "); join rare cells with their neighbours or allow a larger delta",
-                        needed, rarest_cell(claim), claim.delta));
-    return static_cast<std::uint64_t>(needed);
+    const double by_power = affordable(noncentrality_upper_bound(unlucky, freedom, tail_of_bound(claim, beta)) /
+                                       (claim.delta * claim.delta));
+    return static_cast<std::uint64_t>(std::ceil(std::max(by_power * (1 + 1e-6), by_count)));
 }
 
 std::size_t equal_cell(double u, std::size_t cells) {

@@ -1,4 +1,4 @@
-#include "studies/sample_counts.h"
+#include "core/sample_counts.h"
 
 #include <charconv>
 
