@@ -117,6 +117,24 @@ TEST_F(BadInput, OfMerges) {
             {{"merge", "one.db"}, "missing of the run with seed 17592186044416123457: shard 2/2"}});
 }
 
+TEST_F(BadInput, OfSamplers) {
+    write_file(folder / "pdf.csv", "from,to,density\n0,1,0.5\n1,2,much\n");
+    const auto verify = [](std::string sampler, std::string density) {
+        return std::vector<std::string>{"verify", "--sampler", std::move(sampler), "--density", std::move(density)};
+    };
+    std::vector<std::string> hanging = verify("sleep 20", "uniform");
+    hanging.insert(hanging.end(), {"--sampler-timeout", "0.1s"});
+    expect({{verify("./none {seed} {n}", "uniform"), "ended with exit code 127: sh: 1: ./none: not found"},
+            {verify("echo 0.5; echo half", "uniform"), "line 2 of the sampler is 'half'; accepted: a number, x"},
+            {verify("echo 0.5", "uniform"), "'echo 0.5' ended after 1 of "},
+            {verify("kill -SEGV $$", "uniform"), "was ended by signal 11"},
+            {verify("yes 0.5", "uniforn"), "the density 'uniforn' is no file and has no known name"},
+            {verify("yes 0.5", "pdf.csv"), "pdf.csv, line 3, column density: 'much' is not a number"},
+            {hanging, "'sleep 20' was not done after 0.1 s"},
+            {{"verify", "--sampler", "yes"}, "--sampler requires --density"},
+            {{"verify", "--density", "uniform"}, "--density requires --sampler"}});
+}
+
 TEST_F(BadInput, OfALockedStore) {
     store_a_run(folder / "results.db");
     sqlite3* other = nullptr;

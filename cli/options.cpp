@@ -65,7 +65,9 @@ void add_sampler(CLI::App* verify, SamplerOptions& options) {
         verify->add_option("--density", options.density,
                            "the sampler's density: a CSV file, or uniform, linear:A,B, exponential:RATE, uniform-2d, "
                            "bilinear:A,B,C,D");
-    sampler->needs(density)->excludes(verify->get_option("patterns"))->excludes(verify->get_option("--full"));
+    sampler->needs(density);
+    for (const char* other : {"patterns", "--full", "--shard", "--resume"})
+        sampler->excludes(verify->get_option(other));
     density->needs(sampler);
     verify->add_option("--delta", options.delta, "the density error (phi) that `holds` excludes")
         ->check(probability)
@@ -103,7 +105,6 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
     for (CLI::Option* setting : {patterns, full, alpha, seed, shard}) resume->excludes(setting);
     add_outputs(verb, options);
     add_sampler(verb, options.sampler);
-    verb->get_option("--sampler")->excludes(resume)->excludes(shard);
     verb->footer(
         "Exit code: 0 every claim holds and every mutant is refuted, 1 a claim refuted or a mutant alive,\n"
         "2 usage or input error, 3 something undecided; 130 or 143 when SIGINT or SIGTERM ended it: what was judged\n"

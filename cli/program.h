@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-/// Plumb's program over this catalogue: the verbs verify, list and report, with their options, output and exit codes.
+/// Plumb's program over this catalogue: the verbs verify, list, report and merge, with their options, output and exit codes.
 /// Bad input ends in one line on standard error and exit code 2.
 int run_program(int argc, char** argv, const Catalogue& catalogue);
 

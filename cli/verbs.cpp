@@ -7,6 +7,7 @@
 #include <exception>
 #include <filesystem>
 
+#include "cli/outputs.h"
 #include "cli/sampler.h"
 #include "core/error.h"
 #include "core/random.h"
@@ -15,6 +16,7 @@ namespace plumb {
 
 int CatalogueVerbs::operator()(const VerifyOptions& options) const {
     if (options.sampler.command.empty()) return verify(options, catalogue);
+    check_outputs(options);  // before the sampler's work, not after it
     VerifyOptions seeded = options;
     if (!seeded.seed) seeded.seed = fresh_seed();
     return verify(seeded, sampler_catalogue(seeded.sampler, *seeded.seed, seeded.alpha));
