@@ -2,6 +2,7 @@
 #include "cli/run_info.h"
 #include "core/parallel.h"
 #include "reports/file.h"
+#include "reports/text.h"
 #include "verification/cost_of_a_verdict.h"
 
 namespace plumb {
@@ -17,9 +18,9 @@ std::string markdown(const std::vector<CostOfAVerdict>& rows, const CostSetting&
         1 / CostSetting::delta_over_sigma, setting.alpha, setting.beta, fixed_design(setting));
     for (const CostOfAVerdict& row : rows)
         text += fmt::format(
-            "| {:g} | {:.0f} ± {:.0f} | {:.3g} | {:.3g} | {:.1f} % | {:.1f} % | {:.1f} % | {:.1f} % | {:.1f} % |\n",
-            row.bias, row.mean_samples, row.standard_error, row.fraction, row.wald, 100 * row.holds, 100 * row.refuted,
-            100 * row.undecided, 100 * row.fixed_1e5, 100 * row.fixed_1e6);
+            "| {:g} | {:.0f} ± {:.0f} | {:.3g} | {} | {:.1f} % | {:.1f} % | {:.1f} % | {:.1f} % | {:.1f} % |\n",
+            row.bias, row.mean_samples, row.standard_error, row.fraction, readable(row.wald), 100 * row.holds,
+            100 * row.refuted, 100 * row.undecided, 100 * row.fixed_1e5, 100 * row.fixed_1e6);
     return text;
 }
 

@@ -24,7 +24,9 @@ double fixed_test_rejects(double samples, double bias, double level) {
 // Wald's bound on the mean of samples, for normal values: with a bias of r delta the log-likelihood ratio of the
 // claim's nearest rival grows by r²/2 (delta/sigma)² a sample. At bias 0 the rival is ±delta, and one of the two must
 // go first.
+// In between a test may end either way, and neither bound applies: NaN.
 double wald_bound(const CostSetting& setting, double bias) {
+    if (bias > 0 && bias < 1) return std::numeric_limits<double>::quiet_NaN();
     const double rate = bias == 0 ? 0.5 : bias * bias / 2;
     return -std::log(bias == 0 ? setting.beta : setting.alpha) / rate * sigma_over_delta * sigma_over_delta;
 }

@@ -37,10 +37,13 @@ double rarest_cell(const DistributionClaim& claim) {
 }
 
 // A density error of delta may sit in one cell, whose count then varies as p and not as q: along the error the variance
-// is at most s² = 1 + delta/sqrt(q_min) times the noncentral chi-square's. The tail at s quantiles makes up for it.
-double tail_of_bound(const DistributionClaim& claim, double beta) {
-    const double s = std::sqrt(1 + claim.delta / std::sqrt(rarest_cell(claim)));
-    return normal_two_sided_tail(s * normal_upper_quantile(beta)) / 2;
+// is at most s² = 1 + delta/sqrt(q_min) times the noncentral chi-square's. A bound at s quantiles makes up for it;
+// where that tail is too small for the noncentral chi-square, one coordinate is as short as the whole vector or
+// shorter.
+double noncentrality_bound(double chi_square, const DistributionClaim& claim, double beta) {
+    const double z = std::sqrt(1 + claim.delta / std::sqrt(rarest_cell(claim))) * normal_upper_quantile(beta);
+    if (z > 6) return std::pow(std::sqrt(chi_square) + z, 2);
+    return noncentrality_upper_bound(chi_square, positive_cells(claim) - 1, normal_two_sided_tail(z) / 2);
 }
 
 }  // namespace
@@ -52,19 +55,12 @@ double least_expected_count(double alpha) {
 }
 
 std::uint64_t distribution_samples(const DistributionClaim& claim, double alpha, double beta) {
-    const auto affordable = [&](double needed) {
-        if (needed <= static_cast<double>(most_samples)) return needed;
-        throw Error(
-            fmt::format("distribution: {:.2g} samples are needed (rarest cell {:.2g}, delta {:.2g}); accepted: at most "
-                        "{:.2g}; join rare cells with their neighbours or allow a larger delta",
-                        needed, rarest_cell(claim), claim.delta, static_cast<double>(most_samples)));
-    };
-    const double by_count = affordable(least_expected_count(alpha) / rarest_cell(claim));
     const double freedom = positive_cells(claim) - 1;
     const double unlucky = chi_square_upper_quantile(undecided_risk, freedom);
-    const double by_power = affordable(noncentrality_upper_bound(unlucky, freedom, tail_of_bound(claim, beta)) /
-                                       (claim.delta * claim.delta));
-    return static_cast<std::uint64_t>(std::ceil(std::max(by_power * (1 + 1e-6), by_count)));
+    const double by_power = noncentrality_bound(unlucky, claim, beta) / (claim.delta * claim.delta);
+    const double by_count = least_expected_count(alpha) / rarest_cell(claim);
+    const double needed = std::ceil(std::max(by_power * (1 + 1e-6), by_count));
+    return static_cast<std::uint64_t>(std::min(needed, 0x1p63));
 }
 
 std::size_t equal_cell(double u, std::size_t cells) {
@@ -101,7 +97,7 @@ Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const Distribu
     }
     verdict.statistic = chi_square;
     verdict.p_value = chi_square_tail(chi_square, freedom);
-    const double phi_bound = std::sqrt(noncentrality_upper_bound(chi_square, freedom, tail_of_bound(claim, beta)) / n);
+    const double phi_bound = std::sqrt(noncentrality_bound(chi_square, claim, beta) / n);
     verdict.deviation = {0, phi_bound};
     verdict.evidence = {
         {"degrees_of_freedom", freedom}, {"phi_upper_bound", phi_bound},
@@ -128,6 +124,11 @@ Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, co
     check_setting(claim);
     constexpr std::uint64_t batch = 4096;
     const std::uint64_t n = distribution_samples(claim, run.alpha(), run.beta());
+    if (n > most_samples)
+        throw Error(
+            fmt::format("distribution: {} samples are needed (rarest cell {:.2g}, delta {:.2g}); join rare cells with "
+                        "their neighbours or allow a larger delta",
+                        n, rarest_cell(claim), claim.delta));
     const std::uint64_t batches = (n + batch - 1) / batch;
     const std::size_t cells = claim.probabilities.size();
     std::vector<std::vector<std::uint64_t>> partial(batches);

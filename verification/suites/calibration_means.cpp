@@ -27,9 +27,9 @@ std::vector<Trial> trials() {
             {"rare", bernoulli(1e-3).at(0.02), Sizes::full_only},
             {"rare-without-bounds", bernoulli(0.05).without_bounds(0.025, 320), Sizes::full_only},
             {"normal", normal(), Sizes::both},
-            {"exponential", exponential(), Sizes::full_only},
+            {"exponential", exponential().at(0.05), Sizes::full_only},
             {"exponential-without-bounds", exponential().without_bounds(0.05, 0), Sizes::full_only},
-            {"lognormal", lognormal(0.5), Sizes::full_only},
+            {"lognormal", lognormal(0.5).at(0.05), Sizes::full_only},
             {"lognormal-without-bounds", lognormal(0.5).without_bounds(0.05, 0), Sizes::full_only},
             {"spikes", spikes().at(0.1), Sizes::full_only},
             {"spikes-without-bounds", spikes().without_bounds(0.02, 800), Sizes::full_only}};
