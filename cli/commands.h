@@ -1,14 +1,30 @@
 #pragma once
 
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
 #include "cli/options.h"
+#include "reports/json.h"
+#include "verification/claim.h"
 
 namespace plumb {
 
+/// What `list` can show: a name and its rows.
+using Lists = std::map<std::string, std::function<std::vector<ListRow>()>>;
+/// Claims and mutants of the catalogue, which must outlive the lists.
+Lists catalogue_lists(const Catalogue& catalogue);
+/// These, integrands and estimators.
+Lists shipped_lists(const Catalogue& catalogue);
+
 /// The verbs: each does its work, prints to standard output and returns the program's exit code. Throws Error.
-int verify(const VerifyOptions& options);
-int list(const ListOptions& options);
+int verify(const VerifyOptions& options, const Catalogue& catalogue);
+int list(const ListOptions& options, const Lists& lists);
 int converge(const ConvergeOptions& options);
 int study(const StudyOptions& options);
+int integrate(const IntegrateOptions& options);
+int weights(const WeightsOptions& options);
 int report(const ReportOptions& options);
 int merge(const MergeOptions& options);
 

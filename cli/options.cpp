@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cstring>
+#include <filesystem>
 
 #include "cli/version.h"
 #include "core/error.h"
@@ -55,6 +57,28 @@ void add_outputs(CLI::App* verb, Outputs& outputs) {
     verb->add_option("--store", outputs.store, "the SQLite store that the run is added to")->capture_default_str();
 }
 
+void add_sampler(CLI::App* verify, SamplerOptions& options) {
+    CLI::Option* sampler = verify->add_option("--sampler", options.command,
+                                              "judge a sampler in another process instead: a command that prints {n} "
+                                              "samples, one a line, from the seed {seed}");
+    CLI::Option* density =
+        verify->add_option("--density", options.density,
+                           "the sampler's density: a CSV file, or uniform, linear:A,B, exponential:RATE, uniform-2d, "
+                           "bilinear:A,B,C,D");
+    sampler->needs(density)->excludes(verify->get_option("patterns"))->excludes(verify->get_option("--full"));
+    density->needs(sampler);
+    verify->add_option("--delta", options.delta, "the density error (phi) that `holds` excludes")
+        ->check(probability)
+        ->needs(sampler)
+        ->capture_default_str();
+    verify
+        ->add_option_function<std::string>(
+            "--sampler-timeout", [&](const std::string& text) { options.timeout = parse_duration(text); },
+            "when a sampler that is not done is stopped; 60s when not given")
+        ->check(checked(parse_duration))
+        ->needs(sampler);
+}
+
 void add_verify(CLI::App& app, VerifyOptions& options) {
     CLI::App* verb = app.add_subcommand("verify", "Judge claims and their mutants; write a report");
     CLI::Option* patterns =
@@ -78,6 +102,8 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
         verb->add_flag("--resume", options.resume, "go on with the store's newest unfinished run, with its settings");
     for (CLI::Option* setting : {patterns, full, alpha, seed, shard}) resume->excludes(setting);
     add_outputs(verb, options);
+    add_sampler(verb, options.sampler);
+    verb->get_option("--sampler")->excludes(resume)->excludes(shard);
     verb->footer(
         "Exit code: 0 every claim holds and every mutant is refuted, 1 a claim refuted or a mutant alive,\n"
         "2 usage or input error, 3 something undecided; 130 or 143 when SIGINT or SIGTERM ended it: what was judged\n"
@@ -85,11 +111,13 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
         "Example: plumb verify 'reweighting/*' 'points/*' --json verdicts.json");
 }
 
-void add_list(CLI::App& app, ListOptions& options) {
+void add_list(CLI::App& app, ListOptions& options, VerbSet verbs) {
+    const bool shipped = verbs == VerbSet::shipped;
     CLI::App* verb = app.add_subcommand("list", "List what Plumb knows");
-    verb->add_option("what", options.what, "claims, mutants, integrands or estimators")->required();
+    verb->add_option("what", options.what, shipped ? "claims, mutants, integrands or estimators" : "claims or mutants")
+        ->required();
     verb->add_flag("--json", options.json, "as JSON, to standard output");
-    verb->footer("Example: plumb list integrands --json");
+    verb->footer(shipped ? "Example: plumb list integrands --json" : "Example: list claims --json");
 }
 
 void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) {
@@ -120,6 +148,57 @@ void add_study(CLI::App& app, StudyOptions& options) {
     verb->footer("Example: plumb study boundary");
 }
 
+void add_domain(CLI::App* verb, std::vector<double>& domain) {
+    verb->add_option_function<std::string>(
+            "--domain", [&](const std::string& text) { domain = parse_domain(text); },
+            "both ends of each axis: x0,x1 or x0,x1,y0,y1; the unit interval or square when not given")
+        ->check(checked(parse_domain));
+}
+
+void add_integrate(CLI::App& app, IntegrateOptions& options) {
+    CLI::App* verb = app.add_subcommand("integrate", "Integrate a formula, an image or samples of your own");
+    verb->add_option("what", options.what,
+                     "a formula of x (and y), @id of a shipped integrand, an image, or CSV files of samples x[,y],f")
+        ->required();
+    verb->add_option("--method", options.method,
+                     "see plumb list estimators [sobol-owen]; for samples: voronoi [default], torus, reweighted (1D), "
+                     "stratified-reweighted (1D), voronoi-reweighted (2D), independent");
+    CLI::Option* n = verb->add_option("--n", options.n, "samples a run [1024]");
+    n->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 32));
+    verb->add_option_function<std::string>(
+            "--error", [&](const std::string& text) { options.error = parse_error_target(text); },
+            "instead of --n: double n until the standard error is at most this, 1e-3 or 1%")
+        ->check(checked(parse_error_target))
+        ->excludes(n);
+    verb->add_option("--replicates", options.replicates, "independent runs, whose spread gives the error")
+        ->check(CLI::Range(16, 1'000'000))
+        ->capture_default_str();
+    verb->add_option("--max-evaluations", options.max_evaluations, "where --error gives up")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 48))
+        ->capture_default_str();
+    verb->add_option("--batches", options.batches, "cut a file of independent samples into this many sets")
+        ->check(CLI::Range(2, 1'000'000));
+    add_domain(verb, options.domain);
+    verb->add_option("--channel", options.channel, "of an image, or luminance; all when not given");
+    verb->add_option("--lookup", options.lookup, "in an image: nearest [default] or bilinear")
+        ->check(CLI::IsMember({"nearest", "bilinear"}));
+    add_seed_and_threads(verb, options.seed, options.threads);
+    verb->add_option("--json", options.json, "write the answers as JSON to this file");
+    verb->add_option("--report", options.report, "the page with the convergence plot")->capture_default_str();
+    verb->footer(
+        "Exit code: 0, or 3 when the target was missed, 2 usage or input error.\n\n"
+        "Example: plumb integrate 'exp(x)*sin(3*y)' --method torus-tent --error 0.1%");
+}
+
+void add_weights(CLI::App& app, WeightsOptions& options) {
+    CLI::App* verb = app.add_subcommand("weights", "Weigh your own points by their Voronoi cells");
+    verb->add_option("points", options.points, "a CSV file with columns x or x,y")->required();
+    verb->add_flag("--periodic", options.periodic, "on the torus: opposite ends are one place");
+    add_domain(verb, options.domain);
+    verb->add_option("-o,--output", options.out, "where the CSV goes; standard output when not given");
+    verb->footer("Example: plumb weights points.csv --periodic -o weights.csv");
+}
+
 void add_report(CLI::App& app, ReportOptions& options) {
     CLI::App* verb = app.add_subcommand("report", "Rebuild the report of a stored run");
     verb->add_option("--run", options.run, "the run's number; the newest when not given");
@@ -148,6 +227,10 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc,
     for (const CLI::Option* option : verb->get_options())
         for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
     if (verb == &app && argc > 1 && argv[1][0] != '-') return unknown_name("verb", argv[1], verbs).what();
+    for (int i = 2; i < argc && std::string_view(argv[i]) != "--"; ++i)
+        if (argv[i][0] == '-' && std::strchr("-.0123456789", argv[i][1]) == nullptr &&
+            !verb->get_option_no_throw(std::string(argv[i]).substr(0, 2)))
+            return fmt::format("unknown option '{}'; what begins with - but is no option goes last, after --", argv[i]);
     if (dynamic_cast<const CLI::ExtrasError*>(&error))
         for (int i = 1; i < argc; ++i) {
             const std::string typed = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
@@ -174,6 +257,36 @@ std::chrono::duration<double> parse_duration(const std::string& text) {
     return std::chrono::duration<double>(value * scale);
 }
 
+ErrorTarget parse_error_target(const std::string& text) {
+    ErrorTarget target;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), target.error);
+    const std::string_view unit(end, text.data() + text.size());
+    target.relative = unit == "%";
+    if (failure != std::errc() || !(unit.empty() || target.relative) || !(target.error > 0) ||
+        !std::isfinite(target.error))
+        throw Error(fmt::format("'{}' is not an error; accepted: 1e-3, or 1% of the value", text));
+    if (target.relative) target.error /= 100;
+    return target;
+}
+
+std::vector<double> parse_domain(const std::string& text) {
+    std::vector<double> ends;
+    std::string_view rest = text;
+    for (bool comma = true; comma;) {
+        const auto [end, failure] = std::from_chars(rest.data(), rest.data() + rest.size(), ends.emplace_back());
+        if (failure != std::errc()) break;
+        rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+        comma = rest.starts_with(',');
+        rest.remove_prefix(comma ? 1 : 0);
+    }
+    bool good = rest.empty() && !text.ends_with(',') && (ends.size() == 2 || ends.size() == 4);
+    for (std::size_t i = 0; good && i < ends.size(); i += 2)
+        good = ends[i] < ends[i + 1] && std::isfinite(ends[i + 1] - ends[i]);
+    if (!good)
+        throw Error(fmt::format("'{}' is not a domain; accepted: x0,x1 or x0,x1,y0,y1 with x0 < x1, y0 < y1", text));
+    return ends;
+}
+
 Shard parse_shard(const std::string& text) {
     constexpr int most = 10'000;
     Shard shard;
@@ -187,22 +300,29 @@ Shard parse_shard(const std::string& text) {
     return shard;
 }
 
-Options parse_options(int argc, const char* const* argv) {
-    CLI::App app("Plumb decides whether a Monte Carlo estimator is true.", "plumb");
+Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
+    const std::string name = std::filesystem::path(argv[0]).filename().string();
+    CLI::App app("Plumb decides whether a Monte Carlo estimator is true.", name);
     app.set_version_flag("--version", std::string(version));
     app.require_subcommand(1);
-    app.footer("plumb VERB --help explains a verb, with an example.");
+    app.footer(name + " VERB --help explains a verb, with an example.");
     VerifyOptions verify;
     ListOptions list;
     ConvergeOptions converge;
     std::string counts = "16..4096";
+    IntegrateOptions integrate;
+    WeightsOptions weights;
     StudyOptions study;
     ReportOptions report;
     MergeOptions merge;
     add_verify(app, verify);
-    add_list(app, list);
-    add_converge(app, converge, counts);
-    add_study(app, study);
+    add_list(app, list, verbs);
+    if (verbs == VerbSet::shipped) {
+        add_converge(app, converge, counts);
+        add_integrate(app, integrate);
+        add_weights(app, weights);
+        add_study(app, study);
+    }
     add_report(app, report);
     add_merge(app, merge);
     try {
@@ -210,16 +330,18 @@ Options parse_options(int argc, const char* const* argv) {
     } catch (const CLI::Success& answer) {
         return Answered{app.exit(answer)};
     } catch (const CLI::ParseError& error) {
-        fmt::print(stderr, "plumb: {}\n", explain(app, error, argc, argv));
+        fmt::print(stderr, "{}: {}\n", name, explain(app, error, argc, argv));
         return Answered{2};
     }
     converge.n = parse_sample_counts(counts);
     if (app.got_subcommand("verify")) return verify;
     if (app.got_subcommand("list")) return list;
-    if (app.got_subcommand("converge")) return converge;
+    if (app.got_subcommand("report")) return report;
     if (app.got_subcommand("study")) return study;
+    if (app.got_subcommand("integrate")) return integrate;
+    if (app.got_subcommand("weights")) return weights;
     if (app.got_subcommand("merge")) return merge;
-    return report;
+    return converge;
 }
 
 }  // namespace plumb

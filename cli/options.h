@@ -7,9 +7,19 @@
 #include <variant>
 #include <vector>
 
+#include "estimators/integration.h"
 #include "verification/runner.h"
 
 namespace plumb {
+
+/// A sampler in another process, put on trial instead of the catalogue.
+struct SamplerOptions {
+    std::string command;  ///< of the shell, with {seed} and {n}; empty: none
+    std::string density;  ///< a name or a CSV file
+    double delta = 0.05;  ///< the density error phi that `holds` excludes
+    std::chrono::duration<double> timeout{60};
+    std::uint64_t most_samples = 100'000'000;
+};
 
 /// Where verdicts go: an empty name writes no such file.
 struct Outputs {
@@ -25,6 +35,7 @@ struct VerifyOptions : Outputs {
     int threads = 0;                    ///< 0: as many as the hardware has
     Shard shard;
     bool resume = false;  ///< the newest unfinished run of the store, whose settings stand
+    SamplerOptions sampler = {};
 };
 
 struct MergeOptions : Outputs {
@@ -32,7 +43,7 @@ struct MergeOptions : Outputs {
 };
 
 struct ListOptions {
-    std::string what;  ///< claims, mutants, integrands or estimators
+    std::string what;  ///< e.g. claims or mutants
     bool json = false;
 };
 
@@ -53,6 +64,26 @@ struct StudyOptions {
     std::string out;  ///< the folder; empty: out/study-NAME
 };
 
+struct IntegrateOptions {
+    std::vector<std::string> what;  ///< a formula, @id, an image, or files of samples
+    std::optional<std::string> method;
+    std::optional<std::uint64_t> n;    ///< samples a run
+    std::optional<ErrorTarget> error;  ///< instead of n
+    std::uint64_t replicates = 32, max_evaluations = 100'000'000;
+    std::optional<std::uint64_t> batches;  ///< how many sets a file of samples is cut into
+    std::vector<double> domain;            ///< x0, x1[, y0, y1]; empty: the unit cube
+    std::optional<std::string> channel, lookup;
+    std::optional<std::uint64_t> seed;
+    int threads = 0;
+    std::string json, report = "out/integrate.html";
+};
+
+struct WeightsOptions {
+    std::string points, out;     ///< out: empty for standard output
+    bool periodic = false;       ///< 0 and 1 are one place
+    std::vector<double> domain;  ///< as above
+};
+
 struct ReportOptions {
     std::string store = "out/results.db", report = "out/report.html";
     std::optional<std::int64_t> run, against;  ///< run: empty for the newest
@@ -64,15 +95,23 @@ struct Answered {
     int exit_code = 0;
 };
 
-using Options =
-    std::variant<Answered, VerifyOptions, ListOptions, ConvergeOptions, StudyOptions, ReportOptions, MergeOptions>;
+using Options = std::variant<Answered, VerifyOptions, ListOptions, ConvergeOptions, IntegrateOptions, WeightsOptions,
+                             StudyOptions, ReportOptions, MergeOptions>;
+
+/// The verbs that need nothing but a catalogue, or all those of the program that Plumb ships.
+enum class VerbSet { of_a_catalogue, shipped };
 
 /// Reads the command line; prints help, or a one-line error with the nearest known name, by itself.
-Options parse_options(int argc, const char* const* argv);
+Options parse_options(int argc, const char* const* argv, VerbSet verbs = VerbSet::shipped);
 
 /// "90", "90s", "1.5m", "2h"; throws Error.
 std::chrono::duration<double> parse_duration(const std::string& text);
 /// "2/3": the second of three; throws Error.
 Shard parse_shard(const std::string& text);
+
+/// "1e-3" (absolute) or "1%" (relative); throws Error.
+ErrorTarget parse_error_target(const std::string& text);
+/// "0,1" or "0,2,-1,1": both ends of each axis; throws Error.
+std::vector<double> parse_domain(const std::string& text);
 
 }  // namespace plumb

@@ -50,6 +50,19 @@ TEST(Options, ReadAStudyLine) {
     EXPECT_TRUE(std::get<StudyOptions>(parse("study", "--list")).list);
 }
 
+TEST(Options, ReadAnIntegrateLine) {
+    const auto integrate = std::get<IntegrateOptions>(parse("integrate", "x*y", "--method", "torus", "--error", "1%",
+                                                            "--domain", "-1,1,0,2", "--lookup", "bilinear"));
+    EXPECT_EQ(integrate.what, std::vector<std::string>{"x*y"});
+    EXPECT_EQ(integrate.method, "torus");
+    EXPECT_TRUE(integrate.error->relative);
+    EXPECT_EQ(integrate.domain, (std::vector<double>{-1, 1, 0, 2}));
+    EXPECT_FALSE(integrate.n);
+    const auto weights = std::get<WeightsOptions>(parse("weights", "p.csv", "--periodic", "-o", "w.csv"));
+    EXPECT_TRUE(weights.periodic);
+    EXPECT_EQ(weights.out, "w.csv");
+}
+
 TEST(Options, NameTheNearestKnownWord) {
     EXPECT_THAT(complaint("verfy"), testing::HasSubstr("did you mean 'verify'"));
     EXPECT_THAT(complaint("verify", "--aplha", "0.1"), testing::HasSubstr("did you mean '--alpha'"));
@@ -67,6 +80,17 @@ TEST(Options, SayWhatAValueMayBe) {
     EXPECT_THAT(complaint(), testing::HasSubstr("subcommand"));
 }
 
+TEST(Options, PutASamplerOnTrial) {
+    const auto verify = std::get<VerifyOptions>(
+        parse("verify", "--sampler", "./s {seed} {n}", "--density", "linear:0,1", "--sampler-timeout", "5s"));
+    EXPECT_EQ(verify.sampler.command, "./s {seed} {n}");
+    EXPECT_EQ(verify.sampler.density, "linear:0,1");
+    EXPECT_EQ(verify.sampler.timeout.count(), 5);
+    EXPECT_THAT(complaint("verify", "--sampler", "./s"), testing::HasSubstr("--density"));
+    EXPECT_THAT(complaint("verify", "points/*", "--sampler", "./s", "--density", "uniform"),
+                testing::HasSubstr("patterns"));
+}
+
 TEST(ParseShard, AcceptsAPartOfAWhole) {
     EXPECT_EQ(parse_shard("2/3").index, 2);
     EXPECT_EQ(parse_shard("2/3").count, 3);
@@ -81,6 +105,23 @@ TEST(ParseDuration, KnowsItsUnits) {
     EXPECT_THROW(parse_duration("-1s"), Error);
     EXPECT_THROW(parse_duration("1d"), Error);
     EXPECT_THROW(parse_duration("nan"), Error);
+}
+
+TEST(ParseErrorTarget, IsAbsoluteOrRelative) {
+    EXPECT_EQ(parse_error_target("1e-3").error, 1e-3);
+    EXPECT_FALSE(parse_error_target("1e-3").relative);
+    EXPECT_EQ(parse_error_target("2%").error, 0.02);
+    EXPECT_TRUE(parse_error_target("2%").relative);
+    for (const char* bad : {"", "%", "0", "-1", "nan", "inf", "1e-3x", "1%%", "1 %"})
+        EXPECT_THROW(parse_error_target(bad), Error) << bad;
+}
+
+TEST(ParseDomain, HasBothEndsOfEachAxis) {
+    EXPECT_EQ(parse_domain("0,1"), (std::vector<double>{0, 1}));
+    EXPECT_EQ(parse_domain("-1,1.5,1e-3,2"), (std::vector<double>{-1, 1.5, 1e-3, 2}));
+    for (const char* bad : {"", "0", "0,1,", ",0,1", "1,0", "0,0", "0,1,2", "0,1,0,nan", "0,inf", "0;1", "0,1,0,1,0,1",
+                            "-1.7e308,1.7e308"})
+        EXPECT_THROW(parse_domain(bad), Error) << bad;
 }
 
 }  // namespace

@@ -52,6 +52,8 @@ int publish(const Results& results, std::int64_t run, const Outputs& outputs) {
     if (!outputs.junit.empty()) write_file(outputs.junit, junit_xml(results));
     if (!outputs.report.empty()) write_report(results, {}, outputs.report);
     fmt::print("{}", verdict_table(results, terminal_style()));
+    for (const ClaimResult& claim : results.claims)  // what the table's width may have cut off
+        if (claim.verdict.outcome != Outcome::holds) fmt::print("{}: {}\n", claim.id, describe(claim.verdict));
     fmt::print("run {} in {}, seed {}, {:.1f} s{}\n", run, outputs.store, results.run.seed, results.run.seconds,
                outputs.report.empty() ? "" : "; report: " + outputs.report);
     return exit_code(results);

@@ -6,18 +6,16 @@
 
 #include <chrono>
 #include <cstdio>
-#include <random>
 
 #include "cli/version.h"
 #include "core/parallel.h"
+#include "core/random.h"
 
 namespace plumb {
 
 RunInfo start_run(std::optional<std::uint64_t> seed, int threads) {
     RunInfo run;
-    std::random_device entropy;
-    // 53 bits, so that the seed survives JSON readers that know only doubles.
-    run.seed = seed ? *seed : ((static_cast<std::uint64_t>(entropy()) << 32 | entropy()) >> 11);
+    run.seed = seed ? *seed : fresh_seed();
     run.threads = threads > 0 ? threads : hardware_threads();
     run.version = version;
     const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());

@@ -11,7 +11,6 @@
 #include "cli/version.h"
 #include "core/error.h"
 #include "reports/store.h"
-#include "verification/suites/suites.h"
 
 namespace plumb {
 namespace {
@@ -133,9 +132,8 @@ int carry_out(const Plan& plan, const Catalogue& catalogue, const VerifyOptions&
 
 }  // namespace
 
-int verify(const VerifyOptions& options) {
+int verify(const VerifyOptions& options, const Catalogue& catalogue) {
     check_outputs(options);
-    const Catalogue catalogue = shipped_catalogue();
     const Plan plan = options.resume ? unfinished_plan(catalogue, options) : new_plan(catalogue, options);
     Store store(options.store, Store::Access::append);
     if (const int signal = carry_out(plan, catalogue, options, store)) return 128 + signal;

@@ -14,6 +14,9 @@ set(CMAKE_CXX_FLAGS_DEBUG "-Og -g1")
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 set_property(GLOBAL PROPERTY JOB_POOLS heavy=1)
 
+include(GNUInstallDirs)
+set(PLUMB_INCLUDE "${CMAKE_INSTALL_INCLUDEDIR}/plumb")   # installed headers keep their paths below it
+
 set(PLUMB_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")
 set(PLUMB_EXECUTOR "tbb" CACHE STRING "What runs for_batches: tbb or jthread")
 option(PLUMB_WERROR "Warnings are errors" OFF)
@@ -25,6 +28,8 @@ if(PLUMB_CCACHE)
       CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${PLUMB_CCACHE})
 endif()
 
+# How our own code is compiled. Installed targets carry none of it (BUILD_INTERFACE below): warnings are our affair, and
+# no flag here changes how a type is laid out or a function is called (docs/embedding.md, "Compilers and flags").
 add_library(plumb_options INTERFACE)
 target_include_directories(plumb_options INTERFACE "${PROJECT_SOURCE_DIR}")
 # -ffp-contract=off and no -ffast-math: the same seed gives the same bits.
@@ -62,7 +67,10 @@ function(plumb_library name)
   cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
   add_library(plumb_${name} STATIC ${arg_UNPARSED_ARGUMENTS})
   add_library(plumb::${name} ALIAS plumb_${name})
-  target_link_libraries(plumb_${name} PUBLIC plumb_options fmt::fmt ${arg_DEPENDS})
+  target_link_libraries(plumb_${name} PUBLIC $<BUILD_INTERFACE:plumb_options> fmt::fmt ${arg_DEPENDS})
+  target_include_directories(plumb_${name} INTERFACE $<INSTALL_INTERFACE:${PLUMB_INCLUDE}>)
+  target_compile_features(plumb_${name} PUBLIC cxx_std_20)
+  set_target_properties(plumb_${name} PROPERTIES EXPORT_NAME ${name})
   plumb_precompiled_headers(plumb_${name} FALSE)
 endfunction()
 

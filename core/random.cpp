@@ -1,6 +1,7 @@
 #include "core/random.h"
 
 #include <numeric>
+#include <random>
 
 namespace plumb {
 
@@ -8,6 +9,11 @@ std::uint64_t stream_id(std::string_view name) {
     std::uint64_t hash = 0xcbf29ce484222325;
     for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
     return hash;
+}
+
+std::uint64_t fresh_seed() {
+    std::random_device entropy;
+    return (static_cast<std::uint64_t>(entropy()) << 32 | entropy()) >> 11;
 }
 
 std::uint64_t RandomStream::below(std::uint64_t n) {

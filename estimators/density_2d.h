@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include "core/point.h"
 #include "estimators/density.h"
 

@@ -31,6 +31,7 @@ struct Estimator {
     /// The exponent of the MSE that theory gives for an integrand of this smoothness, as an interval; empty: none
     /// known.
     std::function<std::optional<Interval>(const Integrand<D>&)> expected_slope;
+    bool randomised = true;  ///< false: every run is the same, so runs tell nothing about the error
 };
 
 const std::vector<Estimator<1>>& estimators_1d();

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdint>
 
+#include "core/error.h"
 #include "core/estimate.h"
 #include "core/moments.h"
 #include "estimators/estimator.h"

@@ -23,7 +23,8 @@ Estimator<D> mean_estimator(const PointSet<D>& set) {
             .unbiased = set.randomised,
             .run = [generate = set.generate, mean](const Function<D>& f, std::uint64_t n,
                                                    RandomStream& random) { return mean(generate(n, random), f); },
-            .expected_slope = set.expected_slope};
+            .expected_slope = set.expected_slope,
+            .randomised = set.randomised};
 }
 template Estimator<1> mean_estimator(const PointSet<1>&);
 template Estimator<2> mean_estimator(const PointSet<2>&);

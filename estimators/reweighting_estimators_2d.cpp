@@ -8,6 +8,14 @@
 #include "estimators/stratified.h"
 
 namespace plumb {
+
+const CellWeightTable2D& uniform_cell_weight(std::uint64_t n) {
+    static std::mutex mutex;
+    static std::map<std::uint64_t, CellWeightTable2D> tables;
+    const std::lock_guard lock(mutex);
+    return tables.try_emplace(n, n).first->second;
+}
+
 namespace {
 
 using Slope2D = std::optional<Interval>;
@@ -64,14 +72,6 @@ Slope2D clipped_slope(const Integrand<2>& f) {
 Slope2D divided_slope(const Integrand<2>& f) {
     if (f.smoothness == Smoothness::singular) return {};
     return between(std::max(exponent_at(std::max(f.smoothness, f.periodic_smoothness)), kink), jump);
-}
-
-/// One table for each number of samples, built when first asked for; threads may ask at once.
-const CellWeightTable2D& uniform_cell_weight(std::uint64_t n) {
-    static std::mutex mutex;
-    static std::map<std::uint64_t, CellWeightTable2D> tables;
-    const std::lock_guard lock(mutex);
-    return tables.try_emplace(n, n).first->second;
 }
 
 Estimate run_reweighted(const Function<2>& f, std::uint64_t n, RandomStream& random) {

@@ -77,6 +77,12 @@ Json fields(const std::vector<Field>& list) {
     return json;
 }
 
+Json objects(std::span<const ListRow> rows) {
+    Json json = Json::array();
+    for (const ListRow& row : rows) json.push_back(fields(row));
+    return json;
+}
+
 std::vector<Field> fields_from(const Json& json) {
     std::vector<Field> list;
     for (const auto& [name, field] : json.items()) list.emplace_back(name, value_from(field));
@@ -316,10 +322,12 @@ std::string converge_json(const RunInfo& run, std::span<const Series> series) {
     return text_of({{"run", to(run)}, {"series", list(series)}}, 2) + "\n";
 }
 
+std::string integration_json(const RunInfo& run, std::span<const ListRow> answers, std::span<const Series> series) {
+    return text_of({{"run", to(run)}, {"answers", objects(answers)}, {"series", list(series)}}, 2) + "\n";
+}
+
 std::string list_json(std::span<const ListRow> rows) {
-    Json json = Json::array();
-    for (const ListRow& row : rows) json.push_back(fields(row));
-    return text_of(json, 2) + "\n";
+    return text_of(objects(rows), 2) + "\n";
 }
 
 std::string claim_json(const ClaimResult& claim) {

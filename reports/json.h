@@ -21,6 +21,10 @@ Results results_from_json(std::string_view text, std::string_view name);
 /// What `plumb converge --json` writes: run and series.
 std::string converge_json(const RunInfo& run, std::span<const Series> series);
 
+/// What `plumb integrate --json` writes: run, answers (one object each) and series.
+std::string integration_json(const RunInfo& run, std::span<const std::vector<Field>> answers,
+                             std::span<const Series> series);
+
 /// One thing of a list: its named values in the order in which they are written.
 using ListRow = std::vector<Field>;
 /// What `plumb list … --json` writes: an array with one object a row.

@@ -12,20 +12,36 @@
 namespace plumb {
 namespace {
 
-struct Replicated {
-    double error = 0;  // value − truth
-    double evaluations = 0;
-};
+ConvergencePoint measure_point(const Replicate& replicate, double truth, std::uint64_t n, std::uint64_t count,
+                               const Run& run) {
+    constexpr std::uint64_t batch = 16;
+    std::vector<Estimate> replicates(count);
+    const std::uint64_t batches = (count + batch - 1) / batch;
+    std::vector<double> seconds(batches);
+    for_batches(batches, [&](std::size_t b) {
+        const auto start = std::chrono::steady_clock::now();
+        for (std::uint64_t r = b * batch; r < std::min((b + 1) * batch, count); ++r) {
+            RandomStream random = run.random(r);
+            replicates[r] = replicate(n, random);
+        }
+        seconds[b] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    });
+    ConvergencePoint point = convergence_point(n, replicates, truth);
+    for (const double s : seconds) point.seconds += s / static_cast<double>(count);
+    return point;
+}
 
-// The point's numbers from its replicates, in order: the same bits on any number of threads.
-ConvergencePoint summarise(std::uint64_t n, const std::vector<Replicated>& replicates) {
+}  // namespace
+
+ConvergencePoint convergence_point(std::uint64_t n, std::span<const Estimate> replicates, double truth) {
     ConvergencePoint point;
     point.n = n;
     Moments errors, squares;
-    for (const Replicated& r : replicates) {
-        errors.add(r.error);
-        squares.add(r.error * r.error);
-        point.evaluations += r.evaluations;
+    for (const Estimate& r : replicates) {
+        const double error = r.value - truth;
+        errors.add(error);
+        squares.add(error * error);
+        point.evaluations += static_cast<double>(r.evaluations);
     }
     point.evaluations /= static_cast<double>(replicates.size());
     point.mse = squares.mean();
@@ -36,28 +52,6 @@ ConvergencePoint summarise(std::uint64_t n, const std::vector<Replicated>& repli
     point.mse_interval = {point.mse * std::exp(-half), point.mse * std::exp(half)};
     return point;
 }
-
-ConvergencePoint measure_point(const Replicate& replicate, double truth, std::uint64_t n, std::uint64_t count,
-                               const Run& run) {
-    constexpr std::uint64_t batch = 16;
-    std::vector<Replicated> replicates(count);
-    const std::uint64_t batches = (count + batch - 1) / batch;
-    std::vector<double> seconds(batches);
-    for_batches(batches, [&](std::size_t b) {
-        const auto start = std::chrono::steady_clock::now();
-        for (std::uint64_t r = b * batch; r < std::min((b + 1) * batch, count); ++r) {
-            RandomStream random = run.random(r);
-            const Estimate estimate = replicate(n, random);
-            replicates[r] = {estimate.value - truth, static_cast<double>(estimate.evaluations)};
-        }
-        seconds[b] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    });
-    ConvergencePoint point = summarise(n, replicates);
-    for (const double s : seconds) point.seconds += s / static_cast<double>(count);
-    return point;
-}
-
-}  // namespace
 
 // Deterministic methods leave no error of their MSE: their points weigh the same and the slope has no interval.
 Slope fit_slope(const std::vector<ConvergencePoint>& points, double level) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct ConvergenceSetting {
 /// Measures MSE, bias, evaluations and seconds at each n, and the slope of log MSE on log n by least squares weighted
 /// with the errors that the replicates give (not the residuals).
 Series measure_convergence(const Replicate& replicate, const ConvergenceSetting& setting, const Run& run);
+
+/// The error of independent runs with n samples about the truth; the same bits however they were computed.
+ConvergencePoint convergence_point(std::uint64_t n, std::span<const Estimate> replicates, double truth);
 
 /// The weighted least-squares slope over the points with mse > 0; level is two-sided (0.95 for a 95 % interval).
 Slope fit_slope(const std::vector<ConvergencePoint>& points, double level);

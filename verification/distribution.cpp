@@ -28,8 +28,14 @@ void check_setting(const DistributionClaim& claim) {
     if (!(claim.delta > 0)) throw std::logic_error("distribution_is: delta must be positive");
 }
 
-// As many samples as make a true claim hold but for the risk 1e-5, and every expected count large enough.
-std::uint64_t samples_needed(const DistributionClaim& claim, double beta) {
+}  // namespace
+
+std::size_t equal_cell(double u, std::size_t cells) {
+    if (!(u >= 0 && u < 1)) return cells;  // outside: where the density is zero
+    return std::min(cells - 1, static_cast<std::size_t>(u * static_cast<double>(cells)));
+}
+
+std::uint64_t distribution_samples(const DistributionClaim& claim, double beta) {
     const double freedom = positive_cells(claim) - 1;
     const double unlucky = chi_square_upper_quantile(undecided_risk, freedom);
     const double by_power = noncentrality_upper_bound(unlucky, freedom, beta) / (claim.delta * claim.delta);
@@ -37,13 +43,6 @@ std::uint64_t samples_needed(const DistributionClaim& claim, double beta) {
     for (const double q : claim.probabilities)
         if (q > 0) rarest = std::min(rarest, q);
     return static_cast<std::uint64_t>(std::ceil(std::max(by_power * (1 + 1e-6), least_expected_count / rarest)));
-}
-
-}  // namespace
-
-std::size_t equal_cell(double u, std::size_t cells) {
-    if (!(u >= 0 && u < 1)) return cells;  // outside: where the density is zero
-    return std::min(cells - 1, static_cast<std::size_t>(u * static_cast<double>(cells)));
 }
 
 Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const DistributionClaim& claim, double alpha,
@@ -101,7 +100,7 @@ Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const Distribu
 Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, const Run& run) {
     check_setting(claim);
     constexpr std::uint64_t batch = 4096;
-    const std::uint64_t n = samples_needed(claim, run.beta());
+    const std::uint64_t n = distribution_samples(claim, run.beta());
     const std::uint64_t batches = (n + batch - 1) / batch;
     const std::size_t cells = claim.probabilities.size();
     std::vector<std::vector<std::uint64_t>> partial(batches);

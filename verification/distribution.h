@@ -21,6 +21,10 @@ struct DistributionClaim {
     double delta = 0;                   ///< the effect size phi = sqrt(sum (p−q)²/q) that `holds` excludes
 };
 
+/// How many samples a verdict takes: enough that a true claim is `undecided` with a probability of 1e-5 at most, and that
+/// every cell of positive probability expects 100.
+std::uint64_t distribution_samples(const DistributionClaim& claim, double beta);
+
 /// Does draw fall into the cells with these probabilities? Pearson's chi-square at the sample count that makes
 /// `undecided` though true rarer than 1e-5; `holds` by the noncentral chi-square. docs/statistics.md, "Distributions".
 Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, const Run& run);

@@ -40,6 +40,14 @@ std::string to_string(Kind kind) {
     throw std::logic_error("a Kind outside its enumeration");
 }
 
+std::string describe(const Verdict& verdict) {
+    return fmt::format("{}: {} ({} samples)", to_string(verdict.outcome), verdict.reason, verdict.samples);
+}
+
+std::ostream& operator<<(std::ostream& out, const Verdict& verdict) {
+    return out << describe(verdict);
+}
+
 Verdict all_of(std::vector<Verdict> parts) {
     if (parts.empty()) throw std::logic_error("all_of() of no verdicts");
     const auto severity = [](const Verdict& v) {

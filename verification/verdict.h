@@ -42,6 +42,10 @@ struct [[nodiscard]] Verdict {
     std::vector<Stability> stability;  ///< relative errors over hard cases
 };
 
+/// The verdict in one line, for whoever reads no report: the outcome, the reason, and how many samples told.
+std::string describe(const Verdict& verdict);
+std::ostream& operator<<(std::ostream& out, const Verdict& verdict);  ///< describe()
+
 /// Several verdicts as one: refuted if any is, else undecided if any is, else holds. Samples add up, series and
 /// stability are joined; the numbers are those of the part that decided.
 Verdict all_of(std::vector<Verdict> parts);

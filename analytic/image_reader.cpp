@@ -1,0 +1,64 @@
+#include "analytic/image_reader.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdint>
+
+namespace {
+
+// libpng and others print to standard error by themselves, whatever OpenImageIO reports.
+class SilentStandardError {
+public:
+    SilentStandardError() : saved_(::dup(STDERR_FILENO)) {
+        const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+        ::dup2(nowhere, STDERR_FILENO);
+        ::close(nowhere);
+    }
+    ~SilentStandardError() {
+        ::dup2(saved_, STDERR_FILENO);
+        ::close(saved_);
+    }
+    SilentStandardError(const SilentStandardError&) = delete;
+    SilentStandardError& operator=(const SilentStandardError&) = delete;
+
+private:
+    int saved_;
+};
+
+// Empty where the layout is one that an Image can hold.
+std::string objection(const OIIO::ImageSpec& spec) {
+    if (spec.deep) return "it is a deep image; accepted are images with one value a channel";
+    if (spec.width < 1 || spec.height < 1 || spec.depth != 1 || spec.nchannels < 1)
+        return fmt::format("it has {} × {} × {} pixels of {} channels; accepted are flat images", spec.width,
+                           spec.height, spec.depth, spec.nchannels);
+    if (spec.image_pixels() > (std::uint64_t{1} << 30) / static_cast<std::uint64_t>(spec.nchannels))
+        return fmt::format("it has {} × {} pixels of {} channels; accepted are 2^30 numbers", spec.width, spec.height,
+                           spec.nchannels);
+    return {};
+}
+
+std::string or_unknown(const std::string& error) {
+    return error.empty() ? "of unknown format" : error;
+}
+
+}  // namespace
+
+void plumb_decode_image(const char* file, plumb::Image* image, std::string* why) {
+    const SilentStandardError silence;
+    const auto input = OIIO::ImageInput::open(file);
+    if (!input) {
+        *why = or_unknown(OIIO::geterror());
+        return;
+    }
+    const OIIO::ImageSpec& spec = input->spec();
+    *why = objection(spec);
+    if (!why->empty()) return;
+    *image = {spec.width, spec.height, spec.channelnames, {}};
+    image->values.resize(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
+    const bool read = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image->values.data());
+    // some readers fill what is missing and only complain
+    if (!read || input->has_error()) *why = or_unknown(input->geterror());
+}

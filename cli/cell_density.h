@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/interval.h"
+#include "core/point.h"
+
+namespace plumb {
+
+/// A density as the probabilities of cells that do not overlap: intervals, or rectangles. Outside of them it is zero.
+struct CellDensity {
+    struct Cell {
+        Interval x, y;  ///< y says nothing in one dimension; ends may be infinite
+        double probability = 0;
+    };
+    std::string name;
+    int dimension = 1;
+    std::vector<Cell> cells;
+
+    /// The cell's number; cells.size() outside of them all, and for NaN. A cell contains its lower ends, and its upper
+    /// ends where no other cell begins: text rounds values below 1 to 1.
+    [[nodiscard]] std::size_t cell_of(const Point<2>& point) const;
+};
+
+/// By name: uniform, linear:A,B, exponential:RATE, uniform-2d, bilinear:A,B,C,D (estimators/density.h, density_2d.h say
+/// what they are); anything else is the name of a CSV file (docs/embedding.md). Throws Error.
+CellDensity read_density(const std::string& text);
+
+/// The table as the file has it; `name` is for messages.
+CellDensity parse_density_table(std::string_view text, const std::string& name);
+
+}  // namespace plumb

@@ -1,0 +1,13 @@
+// plumb::main: a program for whoever registers claims, as benchmark_main is for benchmarks.
+
+#include "cli/program.h"
+#include "cli/verbs.h"
+
+int main(int argc, char** argv) {
+    plumb::Catalogue catalogue;
+    const int failure = plumb::reporting_errors(argv, [&] {
+        plumb::register_claims(catalogue);
+        return 0;
+    });
+    return failure ? failure : plumb::run_program(argc, argv, catalogue);
+}

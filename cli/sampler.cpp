@@ -1,0 +1,130 @@
+#include "cli/sampler.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "cli/cell_density.h"
+#include "core/error.h"
+#include "core/process.h"
+#include "verification/distribution.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::string_view claim_id = "sampler/density";
+
+struct Answer {
+    std::vector<std::uint64_t> counts;  // one a cell; the last: outside of them all
+    std::string outside;                // the first line that was
+    std::uint64_t lines = 0, outside_line = 0;
+};
+
+std::string filled_in(std::string command, std::string_view place, std::uint64_t value) {
+    for (std::size_t at = 0; (at = command.find(place, at)) != std::string::npos;)
+        command.replace(at, place.size(), std::to_string(value));
+    return command;
+}
+
+// One sample, `x` or `x,y`. Infinities and NaN are numbers: a sampler that returns them is wrong, not unreadable.
+Point<2> parse_sample(std::string_view line, int dimension, std::uint64_t number) {
+    Point<2> point{};
+    const char *at = line.data(), *const end = line.data() + line.size();
+    bool good = true;
+    const auto skip_blanks = [&] {
+        while (at != end && (*at == ' ' || *at == '\t' || *at == '\r')) ++at;
+    };
+    for (int axis = 0; axis < dimension && good; ++axis) {
+        if (axis > 0) good = at != end && *at++ == ',';
+        skip_blanks();
+        const auto [after, failure] = std::from_chars(at, end, point[axis]);
+        good = good && failure == std::errc();
+        at = after;
+        skip_blanks();
+    }
+    if (good && at == end) return point;
+    throw Error(fmt::format("line {} of the sampler is '{}'; accepted: {}", number, line.substr(0, 60),
+                            dimension == 1 ? "a number, x" : "two numbers, x,y"));
+}
+
+Answer ask(const std::string& command, const CellDensity& density, std::uint64_t n,
+           std::chrono::duration<double> limit) {
+    Answer answer;
+    answer.counts.resize(density.cells.size() + 1);
+    const bool enough = read_lines(command, limit, [&](std::string_view line) {
+        ++answer.lines;
+        const std::size_t cell = density.cell_of(parse_sample(line, density.dimension, answer.lines));
+        ++answer.counts[cell];
+        if (answer.outside_line == 0 && (cell == density.cells.size() || density.cells[cell].probability == 0)) {
+            answer.outside_line = answer.lines;
+            answer.outside = line;
+        }
+        return answer.lines < n;
+    });
+    if (!enough) throw Error(fmt::format("'{}' ended after {} of {} lines", command, answer.lines, n));
+    return answer;
+}
+
+std::string words(const CellDensity::Cell& cell, int dimension) {
+    const std::string x = fmt::format("[{:.6g}, {:.6g})", cell.x.low, cell.x.high);
+    return dimension == 1 ? x : fmt::format("{} x [{:.6g}, {:.6g})", x, cell.y.low, cell.y.high);
+}
+
+// The engine speaks of cells by number; whoever wrote the sampler thinks in x.
+void explain(Verdict& verdict, const CellDensity& density, const Answer& answer) {
+    if (answer.outside_line > 0) {
+        std::uint64_t outside = answer.counts.back();
+        for (std::size_t i = 0; i < density.cells.size(); ++i)
+            if (density.cells[i].probability == 0) outside += answer.counts[i];
+        verdict.reason = fmt::format("{} of {} samples fell where the density is zero, first line {}: '{}'", outside,
+                                     answer.lines, answer.outside_line, answer.outside);
+        return;
+    }
+    for (const auto& [name, value] : std::vector<Field>(verdict.evidence)) {
+        if (name != "worst_cell") continue;
+        const std::size_t worst = std::get<std::uint64_t>(value);
+        const double found = static_cast<double>(answer.counts[worst]) / static_cast<double>(answer.lines);
+        const std::string cell = words(density.cells[worst], density.dimension);
+        verdict.evidence.emplace_back("worst_cell_is", cell);
+        if (verdict.outcome == Outcome::refuted)
+            verdict.reason +=
+                fmt::format(", {}, of probability {:.4g}: found {:.4g}", cell, density.cells[worst].probability, found);
+    }
+}
+
+}  // namespace
+
+Catalogue sampler_catalogue(const SamplerOptions& options, std::uint64_t seed) {
+    const CellDensity density = read_density(options.density);
+    DistributionClaim claim{.probabilities = {}, .delta = options.delta};
+    for (const CellDensity::Cell& cell : density.cells) claim.probabilities.push_back(cell.probability);
+
+    const Run run(seed, claim_id, 0);
+    const std::uint64_t n = distribution_samples(claim, run.beta());
+    if (n > options.most_samples)
+        throw Error(
+            fmt::format("delta {:g} and the rarest cell of '{}' ask for {} samples; accepted: at most {}; a larger "
+                        "delta or likelier cells need fewer",
+                        options.delta, density.name, n, options.most_samples));
+    // Below 2^31: a positive int of every language.
+    const std::uint64_t sampler_seed = run.random(0).bits() >> 33;
+    const std::string command = filled_in(filled_in(options.command, "{seed}", sampler_seed), "{n}", n);
+    const Answer answer = ask(command, density, n, options.timeout);
+
+    Catalogue catalogue;
+    catalogue.add({.id = std::string(claim_id),
+                   .statement = fmt::format("`{}` draws from the density {}.", options.command, density.name),
+                   .source = fmt::format("the command line: --sampler, --density {}", density.name),
+                   .kind = Kind::distribution,
+                   .check =
+                       [=](const Run& judging) {
+                           Verdict verdict = chi_square_verdict(answer.counts, claim, judging.alpha(), judging.beta());
+                           explain(verdict, density, answer);
+                           verdict.evidence.emplace_back("command", command);
+                           return verdict;
+                       },
+                   .no_mutant = "the sampler is another program: a defect is its author's to plant"});
+    return catalogue;
+}
+
+}  // namespace plumb

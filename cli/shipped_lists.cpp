@@ -1,0 +1,49 @@
+#include "analytic/integrand.h"
+#include "cli/commands.h"
+#include "estimators/estimator.h"
+
+namespace plumb {
+namespace {
+
+template <int D>
+void append_integrands(std::vector<ListRow>& rows) {
+    for (const Integrand<D>& f : integrands<D>())
+        rows.push_back({{"id", f.id},
+                        {"dimension", std::uint64_t{D}},
+                        {"formula", f.formula},
+                        {"integral", f.integral},
+                        {"variance", f.variance_value()},
+                        {"smoothness", to_string(f.smoothness)},
+                        {"periodic_smoothness", to_string(f.periodic_smoothness)},
+                        {"source", f.source},
+                        {"derivation", f.derivation}});
+}
+
+template <int D>
+void append_estimators(std::vector<ListRow>& rows) {
+    for (const Estimator<D>& e : estimators<D>())
+        rows.push_back({{"id", e.id},
+                        {"dimension", std::uint64_t{D}},
+                        {"unbiased", std::string(e.unbiased ? "yes" : "no")},
+                        {"summary", e.summary},
+                        {"source", e.source}});
+}
+
+template <auto append_1d, auto append_2d>
+std::vector<ListRow> both_dimensions() {
+    std::vector<ListRow> rows;
+    append_1d(rows);
+    append_2d(rows);
+    return rows;
+}
+
+}  // namespace
+
+Lists shipped_lists(const Catalogue& catalogue) {
+    Lists lists = catalogue_lists(catalogue);
+    lists["integrands"] = both_dimensions<append_integrands<1>, append_integrands<2>>;
+    lists["estimators"] = both_dimensions<append_estimators<1>, append_estimators<2>>;
+    return lists;
+}
+
+}  // namespace plumb

@@ -1,0 +1,149 @@
+#include "cli/user_integrand.h"
+
+#include <filesystem>
+
+#include "analytic/expression.h"
+#include "analytic/image_function.h"
+#include "core/box.h"
+#include "core/error.h"
+
+namespace plumb {
+namespace {
+
+template <int D>
+Box<D> box_of(const std::vector<double>& domain) {
+    Box<D> box;
+    if (domain.empty()) return box;
+    if (domain.size() != 2 * D)
+        throw Error(fmt::format("--domain has {} numbers; accepted in {}D are {}", domain.size(), D,
+                                D == 1 ? "x0,x1" : "x0,x1,y0,y1"));
+    for (int axis = 0; axis < D; ++axis) {
+        box.low[axis] = domain[2 * axis];
+        box.high[axis] = domain[2 * axis + 1];
+    }
+    return box;
+}
+
+template <int D>
+std::string readable_place(const Point<D>& p) {
+    if constexpr (D == 1)
+        return fmt::format("x = {}", p[0]);
+    else
+        return fmt::format("x = {}, y = {}", p[0], p[1]);
+}
+
+template <int D, class F>
+Function<D> finite_on(const Box<D>& box, const F& f, const std::string& name) {
+    return [box, volume = box.volume(), f, name](const Point<D>& u) {
+        const Point<D> x = box.from_unit(u);
+        const double value = f(x);
+        if (!std::isfinite(value))
+            throw Error(fmt::format("{} is {} at {}; finite values are accepted", name, value, readable_place<D>(x)));
+        return volume * value;
+    };
+}
+
+// ".exr", ".png": no formula ends like that, since a letter follows the last dot.
+bool ends_like_a_file(std::string_view what) {
+    const std::string_view extension = what.substr(std::min(what.rfind('.'), what.size() - 1) + 1);
+    const auto letter = [](unsigned char c) { return std::isalpha(c) != 0; };
+    return !extension.empty() && letter(extension.front()) &&
+           std::ranges::all_of(extension, [](unsigned char c) { return std::isalnum(c) != 0; });
+}
+
+void refuse(bool given, const char* option, const std::string& why) {
+    if (given) throw Error(fmt::format("{} {}", option, why));
+}
+
+template <int D>
+UserIntegrands formula(const Expression& expression, const std::vector<double>& domain) {
+    return std::vector<UserIntegrand<D>>{
+        {expression.text(), finite_on<D>(box_of<D>(domain), expression, expression.text()), {}}};
+}
+
+UserIntegrands read_formula(const IntegrateOptions& options) {
+    const Expression expression(options.what.front());
+    const bool two = expression.uses_y() || options.domain.size() == 4;
+    return two ? formula<2>(expression, options.domain) : formula<1>(expression, options.domain);
+}
+
+template <int D>
+std::optional<UserIntegrands> shipped(std::string_view id, std::vector<std::string>& known) {
+    for (const Integrand<D>& f : integrands<D>()) {
+        known.push_back(f.id);
+        if (f.id != id) continue;
+        return std::vector<UserIntegrand<D>>{{f.id, finite_on<D>({}, f.value, f.id), f.integral_value(), &f}};
+    }
+    return {};
+}
+
+UserIntegrands read_shipped(const IntegrateOptions& options) {
+    refuse(!options.domain.empty(), "--domain", "does not go with a shipped integrand: its domain is [0,1]");
+    std::vector<std::string> known;
+    const std::string_view id = std::string_view(options.what.front()).substr(1);
+    if (const auto one = shipped<1>(id, known)) return *one;
+    if (const auto two = shipped<2>(id, known)) return *two;
+    throw unknown_name("integrand", id, known);
+}
+
+UserIntegrands read_image_channels(const IntegrateOptions& options) {
+    refuse(!options.domain.empty(), "--domain", "does not go with an image: it is a function on [0,1]²");
+    const std::string& file = options.what.front();
+    const auto image = std::make_shared<const Image>(read_image(file));
+    const Lookup lookup = options.lookup == "bilinear" ? Lookup::bilinear : Lookup::nearest;
+    std::vector<UserIntegrand<2>> channels;
+    for (const std::string& channel :
+         options.channel ? std::vector<std::string>{*options.channel} : channel_names(*image)) {
+        const ImageFunction f(image, channel_weights(*image, channel), lookup);
+        channels.push_back({fmt::format("{} {}", file, channel), f, f.integral()});
+    }
+    return channels;
+}
+
+}  // namespace
+
+InputKind kind_of(const std::string& what) {
+    if (what.starts_with('@')) return InputKind::shipped;
+    if (what.ends_with(".csv") || what.ends_with(".CSV")) return InputKind::samples;
+    std::error_code ignored;  // a formula may be too long for a name
+    return ends_like_a_file(what) || std::filesystem::exists(what, ignored) ? InputKind::image : InputKind::formula;
+}
+
+UserIntegrands read_integrands(const IntegrateOptions& options) {
+    refuse(options.what.size() > 1, "more than one integrand found:", "only files of samples come in several");
+    refuse(options.batches.has_value(), "--batches", "goes with a file of samples only");
+    const InputKind kind = kind_of(options.what.front());
+    if (kind == InputKind::image) return read_image_channels(options);
+    refuse(options.channel.has_value(), "--channel", "goes with an image only");
+    refuse(options.lookup.has_value(), "--lookup", "goes with an image only");
+    return kind == InputKind::shipped ? read_shipped(options) : read_formula(options);
+}
+
+template <int D>
+std::vector<Point<D>> places_of(const NumberTable& table, const std::vector<double>& domain) {
+    const Box<D> box = box_of<D>(domain);
+    std::vector<Point<D>> places(table.rows());
+    for (std::size_t row = 0; row < table.rows(); ++row)
+        for (int axis = 0; axis < D; ++axis) {
+            const double x = table.at(row, axis);
+            if (!box.contains(x, axis))
+                throw Error(fmt::format("{}: {} is outside the domain; accepted are {} to {} (see --domain)",
+                                        table.where(row, axis), x, box.low[axis], box.high[axis]));
+            places[row][axis] = box.to_unit(x, axis);
+        }
+    return places;
+}
+template std::vector<Point<1>> places_of<1>(const NumberTable&, const std::vector<double>&);
+template std::vector<Point<2>> places_of<2>(const NumberTable&, const std::vector<double>&);
+
+template <int D>
+SampleSet<D> samples_of(const NumberTable& table, const std::vector<double>& domain) {
+    SampleSet<D> set{places_of<D>(table, domain), std::vector<double>(table.rows())};
+    const double volume = box_of<D>(domain).volume();
+    for (std::size_t row = 0; row < table.rows(); ++row) set.values[row] = volume * table.at(row, D);
+    return set;
+}
+template SampleSet<1> samples_of<1>(const NumberTable&, const std::vector<double>&);
+template SampleSet<2> samples_of<2>(const NumberTable&, const std::vector<double>&);
+
+}  // namespace plumb

@@ -1,0 +1,70 @@
+#include <iterator>
+
+#include "cli/commands.h"
+#include "cli/user_integrand.h"
+#include "core/error.h"
+#include "estimators/sample_weighting.h"
+#include "reports/file.h"
+
+namespace plumb {
+namespace {
+
+template <int D>
+std::vector<double> weights_of(const NumberTable& points, const WeightsOptions& options, std::size_t& repeated) {
+    std::vector<Point<D>> places = places_of<D>(points, options.domain);
+    std::vector<double> weights = find_sample_weighting<D>(options.periodic ? "torus" : "voronoi").weights(places);
+    repeated = repeated_places<D>(std::move(places), options.periodic);
+    double volume = 1;
+    for (std::size_t axis = 0; axis < options.domain.size() / 2; ++axis)
+        volume *= options.domain[2 * axis + 1] - options.domain[2 * axis];
+    for (double& weight : weights) weight *= volume;
+    return weights;
+}
+
+std::string csv_of(const NumberTable& points, const std::vector<double>& weights) {
+    const std::vector<std::string> plain = {"x", "y"};
+    const std::vector<std::string>& names = points.header.empty() ? plain : points.header;
+    fmt::memory_buffer text;
+    const auto out = std::back_inserter(text);
+    for (std::size_t column = 0; column < points.columns; ++column) fmt::format_to(out, "{},", names[column]);
+    fmt::format_to(out, "weight\n");
+    for (std::size_t row = 0; row < points.rows(); ++row) {
+        for (std::size_t column = 0; column < points.columns; ++column)
+            fmt::format_to(out, "{},", points.at(row, column));
+        fmt::format_to(out, "{}\n", weights[row]);
+    }
+    return fmt::to_string(text);
+}
+
+void print_summary(const NumberTable& points, const std::vector<double>& weights, std::size_t repeated) {
+    const auto [smallest, largest] = std::ranges::minmax_element(weights);
+    const auto named = [&](auto weight) {
+        return fmt::format("{:.3g} (line {})", *weight,
+                           points.line(static_cast<std::size_t>(weight - weights.begin())));
+    };
+    fmt::print(stderr, "{} points; weights sum to {}, smallest {}, largest {}", points.rows(),
+               std::reduce(weights.begin(), weights.end()), named(smallest), named(largest));
+    if (repeated > 0) fmt::print(stderr, "; {} points repeat an earlier place and share its cell", repeated);
+    fmt::print(stderr, "\n");
+}
+
+}  // namespace
+
+int weights(const WeightsOptions& options) {
+    if (!options.out.empty()) check_writable(options.out);
+    const NumberTable points = parse_csv(read_file(options.points), options.points);
+    if (points.columns > 2)
+        throw Error(fmt::format("{}: {} columns found; accepted are 1 (x) and 2 (x,y)", points.name, points.columns));
+    std::size_t repeated = 0;
+    const std::vector<double> weights =
+        points.columns == 1 ? weights_of<1>(points, options, repeated) : weights_of<2>(points, options, repeated);
+    const std::string csv = csv_of(points, weights);
+    if (!options.out.empty())
+        write_file(options.out, csv);
+    else if (std::fwrite(csv.data(), 1, csv.size(), stdout) != csv.size() || std::fflush(stdout) != 0)
+        throw Error(fmt::format("standard output cannot be written: {}", std::strerror(errno)));
+    print_summary(points, weights, repeated);
+    return 0;
+}
+
+}  // namespace plumb
