@@ -23,6 +23,7 @@ int verify(const VerifyOptions& options, const Catalogue& catalogue);
 int list(const ListOptions& options, const Lists& lists);
 int converge(const ConvergeOptions& options);
 int study(const StudyOptions& options);
+int study_calibration(const StudyOptions& options);  ///< the study of that name: what a verdict costs
 int integrate(const IntegrateOptions& options);
 int weights(const WeightsOptions& options);
 int report(const ReportOptions& options);

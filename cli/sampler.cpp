@@ -94,13 +94,13 @@ void explain(Verdict& verdict, const CellDensity& density, const Answer& answer)
 
 }  // namespace
 
-Catalogue sampler_catalogue(const SamplerOptions& options, std::uint64_t seed) {
+Catalogue sampler_catalogue(const SamplerOptions& options, std::uint64_t seed, double alpha) {
     const CellDensity density = read_density(options.density);
     DistributionClaim claim{.probabilities = {}, .delta = options.delta};
     for (const CellDensity::Cell& cell : density.cells) claim.probabilities.push_back(cell.probability);
 
-    const Run run(seed, claim_id, 0);
-    const std::uint64_t n = distribution_samples(claim, run.beta());
+    const Run run(seed, claim_id, alpha);
+    const std::uint64_t n = distribution_samples(claim, run.alpha(), run.beta());
     if (n > options.most_samples)
         throw Error(
             fmt::format("delta {:g} and the rarest cell of '{}' ask for {} samples; accepted: at most {}; a larger "

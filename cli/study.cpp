@@ -24,6 +24,10 @@ int list_studies() {
                         {"source", study.about.source},
                         {"title", study.about.title}});
     }
+    rows.push_back({{"name", "calibration"},
+                    {"figures", std::uint64_t{0}},
+                    {"source", "ours, docs/statistics.md"},
+                    {"title", "What a verdict costs, in samples"}});
     fmt::print("{}", list_table(rows, terminal_style()));
     return 0;
 }
@@ -37,6 +41,7 @@ Study load(const std::string& given) {
         if (name == given) return parse_study(text, given + ".toml");
         known.emplace_back(name);
     }
+    known.emplace_back("calibration");
     throw Error(fmt::format("{} (a file of your own ends in .toml)", unknown_name("study", given, known).what()));
 }
 
@@ -44,6 +49,7 @@ Study load(const std::string& given) {
 
 int study(const StudyOptions& options) {
     if (options.list) return list_studies();
+    if (options.study == "calibration") return study_calibration(options);
     if (options.study.empty()) throw Error("study: which? Give a TOML file or a name of `plumb study --list`");
     Study study = load(options.study);
     if (options.replicates)

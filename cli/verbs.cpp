@@ -19,7 +19,7 @@ int CatalogueVerbs::operator()(const VerifyOptions& options) const {
     check_outputs(options);  // before the sampler's work, not after it
     VerifyOptions seeded = options;
     if (!seeded.seed) seeded.seed = fresh_seed();
-    return verify(seeded, sampler_catalogue(seeded.sampler, *seeded.seed));
+    return verify(seeded, sampler_catalogue(seeded.sampler, *seeded.seed, seeded.alpha));
 }
 
 int reporting_errors(char** argv, const std::function<int()>& body) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 namespace plumb {
 
@@ -10,6 +12,24 @@ namespace plumb {
 /// [Pébay 2008, eqs. 1.1–1.6]: no cancellation between a large mean and a small spread.
 class Moments {
 public:
+    /// Of a block, in two passes (mean, then powers of the differences from it) whose lanes become vectors.
+    static Moments of(std::span<const double> values) {
+        Moments m;
+        if (values.empty()) return m;
+        const double n = static_cast<double>(values.size());
+        m.count_ = values.size();
+        m.mean_ = sums<1>(values, [](double x) { return std::array{x}; })[0] / n;
+        const auto powers = [mean = m.mean_](double x) {
+            const double d = x - mean, d2 = d * d;
+            return std::array{d2, d2 * d, d2 * d2};
+        };
+        const std::array<double, 3> central = sums<3>(values, powers);
+        m.m2_ = central[0];
+        m.m3_ = central[1];
+        m.m4_ = central[2];
+        return m;
+    }
+
     void add(double x) {
         const double n1 = static_cast<double>(count_);
         ++count_;
@@ -52,6 +72,25 @@ public:
     }
 
 private:
+    // Sums of terms(x) over all values, in a fixed order: every eighth value, then the eight partial sums.
+    template <std::size_t K, class Terms>
+    static std::array<double, K> sums(std::span<const double> values, const Terms& terms) {
+        constexpr std::size_t lanes = 8;
+        std::array<std::array<double, lanes>, K> partial{};
+        const auto add_one = [&](std::size_t lane, double x) {
+            const std::array<double, K> term = terms(x);
+            for (std::size_t k = 0; k < K; ++k) partial[k][lane] += term[k];
+        };
+        const std::size_t whole = values.size() / lanes * lanes;
+        for (std::size_t i = 0; i < whole; i += lanes)
+            for (std::size_t lane = 0; lane < lanes; ++lane) add_one(lane, values[i + lane]);
+        for (std::size_t i = whole; i < values.size(); ++i) add_one(i - whole, values[i]);
+        std::array<double, K> total{};
+        for (std::size_t k = 0; k < K; ++k)
+            for (const double part : partial[k]) total[k] += part;
+        return total;
+    }
+
     static constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
     std::uint64_t count_ = 0;
     double mean_ = 0, m2_ = 0, m3_ = 0, m4_ = 0;

@@ -32,6 +32,22 @@ TEST(Moments, MergeEqualsAddingAll) {
     EXPECT_NEAR(left.kurtosis(), all.kurtosis(), 1e-13);
 }
 
+TEST(Moments, OfABlockEqualsAddingAll) {
+    std::vector<double> values, near_zero;  // the same but for an exact offset, whose moments are known better
+    for (int i = 0; i < 43; ++i) {
+        near_zero.push_back(i * i % 17 - 0.25 * i);
+        values.push_back(1e6 + near_zero.back());
+    }
+    const Moments block = Moments::of(values), all = moments_of(near_zero);
+    EXPECT_EQ(block.count(), all.count());
+    EXPECT_NEAR(block.mean() - 1e6, all.mean(), 1e-9);
+    EXPECT_NEAR(block.variance() / all.variance(), 1, 1e-12);
+    EXPECT_NEAR(block.skewness(), all.skewness(), 1e-9);
+    EXPECT_NEAR(block.kurtosis(), all.kurtosis(), 1e-9);
+    EXPECT_EQ(Moments::of({}).count(), 0u);
+    EXPECT_TRUE(std::isinf(Moments::of(std::vector{3.0}).variance()));
+}
+
 TEST(Moments, UnknownIsInfiniteNotZero) {
     EXPECT_TRUE(std::isnan(Moments().mean()));
     EXPECT_TRUE(std::isinf(moments_of({3}).variance()));

@@ -17,9 +17,15 @@ void must(const fs::path& folder, const Action& action) {
     if (error) throw Error(fmt::format("{}: cannot be replaced: {}", folder.string(), error.message()));
 }
 
+fs::path without_slash(const fs::path& folder) {
+    return folder.has_filename() ? folder : folder.parent_path();
+}
+
 }  // namespace
 
-void check_replaceable(const fs::path& folder, const std::vector<std::string>& extensions) {
+void check_replaceable(const fs::path& given, const std::vector<std::string>& extensions) {
+    const fs::path folder = without_slash(given);
+    check_writable(folder.string() + ".part");
     if (!fs::exists(folder)) return;
     if (!fs::is_directory(folder)) throw Error(fmt::format("{}: is a file; a folder is needed", folder.string()));
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -31,7 +37,7 @@ void check_replaceable(const fs::path& folder, const std::vector<std::string>& e
 }
 
 void write_folder(const fs::path& given, const std::vector<FolderFile>& files) {
-    const fs::path folder = given.has_filename() ? given : given.parent_path();
+    const fs::path folder = without_slash(given);
     std::vector<std::string> extensions;
     for (const FolderFile& file : files) extensions.push_back(fs::path(file.name).extension().string());
     check_replaceable(folder, extensions);

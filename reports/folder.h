@@ -11,7 +11,7 @@ struct FolderFile {
 };
 
 /// A folder may be replaced when it is not there yet or holds nothing but files with these extensions (".csv"); throws
-/// Error naming what else it holds.
+/// Error naming what else it holds, or why nothing can be written beside it.
 void check_replaceable(const std::filesystem::path& folder, const std::vector<std::string>& extensions);
 
 /// A folder with exactly these files: written aside, then renamed into place, so that readers see the old folder or the

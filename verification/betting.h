@@ -21,9 +21,9 @@ namespace plumb {
 ///   against too small     lambda = +delta/variance at its lower end                }
 ///
 /// An infinite end asks for nothing on its side. With bounds on the values, lambda is kept where every factor is at
-/// least 1/2, and the risks are exact. Without, a factor can only be kept positive by clamping: then decisions wait
-/// until the sample's skewness allows a normal approximation. A bet that the mean is larger needs only a lower bound:
-/// for non-negative values "too large" and "not too small" are exact.
+/// least 1/2, and the risks are exact. Without, a factor can only be kept positive by clamping: then looks count
+/// only while the sample's skewness allows a normal approximation. A bet that the mean is larger needs only a lower
+/// bound: for non-negative values "too large" and "not too small" are exact.
 class MeanTest {
 public:
     struct Setting {
@@ -40,7 +40,8 @@ public:
 
     /// Samples are consumed in blocks of this size (lambda is fixed within a block); the last may be shorter.
     [[nodiscard]] std::size_t block_size() const;
-    /// Feeds the next block. Values must be finite and within the bounds.
+    /// Feeds the next block. Values must be finite, within the bounds, and of a size not far from delta's: mean_is()
+    /// subtracts the reference and divides by delta.
     Decision add(std::span<const double> block);
 
     [[nodiscard]] const Moments& moments() const { return moments_; }
@@ -48,11 +49,12 @@ public:
     /// Logarithm of the e-process against the claim as it stands: its expectation under the claim is at most 1.
     [[nodiscard]] double log_evidence() const { return log_evidence(false); }
     [[nodiscard]] bool exact() const { return exact_below_ && exact_above_; }
-    /// Whether the guard on skewness lets decisions pass that are not exact.
+    /// Whether the guard on skewness lets a look count that is not exact.
     [[nodiscard]] bool tails_allow_a_decision() const;
     /// A 1 − beta confidence sequence for the mean (normal mixture, asymptotic), for the report.
     [[nodiscard]] Interval mean_interval() const;
 
+    static constexpr std::size_t largest_block = 256;
     static constexpr int scales = 8;  ///< lambda = 2^j delta/variance, j = −1 … 5, and as large as is safe
 
 private:
@@ -62,10 +64,12 @@ private:
         double log_wealth = 0;
     };
     [[nodiscard]] bool is_exact(const Bet& bet) const { return bet.scale > 0 ? exact_below_ : exact_above_; }
-    [[nodiscard]] bool excludes(const Bet& bet, double max_log) const;
+    [[nodiscard]] bool excludes_large() const;
+    [[nodiscard]] bool excludes_small() const;
     [[nodiscard]] double log_evidence(bool exact_bets_only) const;
     [[nodiscard]] double variance_guess() const;
     void play(std::span<const double> block);
+    void record_maxima();
     [[nodiscard]] double lambda(const Bet& bet, double variance) const;
 
     Setting setting_;
@@ -74,7 +78,7 @@ private:
     Interval seen_{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     std::vector<Bet> against_claim_;
     Bet against_large_, against_small_;
-    double max_log_claim_ = 0, max_log_exact_ = 0, max_log_large_ = 0, max_log_small_ = 0;
+    double max_log_claim_ = 0, max_log_large_ = 0, max_log_small_ = 0;  ///< over the looks that count
     double z_guard_;
 };
 

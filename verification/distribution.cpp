@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "verification/distributions.h"
 
@@ -12,7 +13,7 @@ namespace plumb {
 namespace {
 
 constexpr double undecided_risk = 1e-5;
-constexpr double least_expected_count = 100;  // "5" is a rule for the 5 % level: docs/statistics.md
+constexpr std::uint64_t most_samples = std::uint64_t{1} << 32;
 
 int positive_cells(const DistributionClaim& claim) {
     return static_cast<int>(std::ranges::count_if(claim.probabilities, [](double q) { return q > 0; }));
@@ -28,21 +29,43 @@ void check_setting(const DistributionClaim& claim) {
     if (!(claim.delta > 0)) throw std::logic_error("distribution_is: delta must be positive");
 }
 
+double rarest_cell(const DistributionClaim& claim) {
+    double rarest = 1;
+    for (const double q : claim.probabilities)
+        if (q > 0) rarest = std::min(rarest, q);
+    return rarest;
+}
+
+// A density error of delta may sit in one cell, whose count then varies as p and not as q: along the error the variance
+// is at most s² = 1 + delta/sqrt(q_min) times the noncentral chi-square's. A bound at s quantiles makes up for it;
+// where that tail is too small for the noncentral chi-square, one coordinate is as short as the whole vector or
+// shorter.
+double noncentrality_bound(double chi_square, const DistributionClaim& claim, double beta) {
+    const double z = std::sqrt(1 + claim.delta / std::sqrt(rarest_cell(claim))) * normal_upper_quantile(beta);
+    if (z > 6) return std::pow(std::sqrt(chi_square) + z, 2);
+    return noncentrality_upper_bound(chi_square, positive_cells(claim) - 1, normal_two_sided_tail(z) / 2);
+}
+
 }  // namespace
+
+// The upper tail of one rare cell is exp(z³/(6 sqrt(E))) times the normal one, the lower one its inverse: at
+// E = (z³/4)² their mean exceeds the level by 1.24, counted exactly for levels from 1e-8 to 1e-2.
+double least_expected_count(double alpha) {
+    return std::max(100.0, std::pow(normal_upper_quantile(alpha / 2), 6) / 16);
+}
+
+std::uint64_t distribution_samples(const DistributionClaim& claim, double alpha, double beta) {
+    const double freedom = positive_cells(claim) - 1;
+    const double unlucky = chi_square_upper_quantile(undecided_risk, freedom);
+    const double by_power = noncentrality_bound(unlucky, claim, beta) / (claim.delta * claim.delta);
+    const double by_count = least_expected_count(alpha) / rarest_cell(claim);
+    const double needed = std::ceil(std::max(by_power * (1 + 1e-6), by_count));
+    return static_cast<std::uint64_t>(std::min(needed, 0x1p63));
+}
 
 std::size_t equal_cell(double u, std::size_t cells) {
     if (!(u >= 0 && u < 1)) return cells;  // outside: where the density is zero
     return std::min(cells - 1, static_cast<std::size_t>(u * static_cast<double>(cells)));
-}
-
-std::uint64_t distribution_samples(const DistributionClaim& claim, double beta) {
-    const double freedom = positive_cells(claim) - 1;
-    const double unlucky = chi_square_upper_quantile(undecided_risk, freedom);
-    const double by_power = noncentrality_upper_bound(unlucky, freedom, beta) / (claim.delta * claim.delta);
-    double rarest = 1;
-    for (const double q : claim.probabilities)
-        if (q > 0) rarest = std::min(rarest, q);
-    return static_cast<std::uint64_t>(std::ceil(std::max(by_power * (1 + 1e-6), least_expected_count / rarest)));
 }
 
 Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const DistributionClaim& claim, double alpha,
@@ -74,7 +97,7 @@ Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const Distribu
     }
     verdict.statistic = chi_square;
     verdict.p_value = chi_square_tail(chi_square, freedom);
-    const double phi_bound = std::sqrt(noncentrality_upper_bound(chi_square, freedom, beta) / n);
+    const double phi_bound = std::sqrt(noncentrality_bound(chi_square, claim, beta) / n);
     verdict.deviation = {0, phi_bound};
     verdict.evidence = {
         {"degrees_of_freedom", freedom}, {"phi_upper_bound", phi_bound},
@@ -100,7 +123,12 @@ Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const Distribu
 Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, const Run& run) {
     check_setting(claim);
     constexpr std::uint64_t batch = 4096;
-    const std::uint64_t n = distribution_samples(claim, run.beta());
+    const std::uint64_t n = distribution_samples(claim, run.alpha(), run.beta());
+    if (n > most_samples)
+        throw Error(
+            fmt::format("distribution: {} samples are needed (rarest cell {:.2g}, delta {:.2g}); join rare cells with "
+                        "their neighbours or allow a larger delta",
+                        n, rarest_cell(claim), claim.delta));
     const std::uint64_t batches = (n + batch - 1) / batch;
     const std::size_t cells = claim.probabilities.size();
     std::vector<std::vector<std::uint64_t>> partial(batches);

@@ -1,5 +1,7 @@
 #include "verification/distribution.h"
 
+#include "core/error.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,6 +48,17 @@ TEST(DistributionIs, AOnePercentLeakFromTheLastCellIsSeen) {  // suites that dro
 TEST(DistributionIs, MissingMassIsAMistakeOfTheClaim) {
     const auto draw = [](RandomStream& random) { return random.below(2); };
     EXPECT_THROW((void)distribution_is(draw, {{0.5, 0.4}, 0.1}, run), std::logic_error);
+}
+
+TEST(DistributionIs, ACellTooRareIsAnError) {
+    const auto draw = [](RandomStream& random) { return random.below(2); };
+    EXPECT_THROW((void)distribution_is(draw, {{0.5, 0.5 - 1e-12, 1e-12}, 0.1}, run), Error);
+}
+
+TEST(DistributionSamples, GrowWithTheLevelAndWithRareCells) {
+    const DistributionClaim claim{{0.001, 0.999}, 0.5};
+    EXPECT_EQ(distribution_samples(claim, 0.01, 0.01), 100000u);  // expected counts of 100
+    EXPECT_NEAR(static_cast<double>(distribution_samples(claim, 1e-4, 0.01)), 1000 * std::pow(3.8905918864, 6) / 16, 1);
 }
 
 TEST(EqualCell, PutsWhatIsOutsideBeyondTheLastCell) {

@@ -29,6 +29,9 @@ double chi_square_upper_quantile(double tail, double degrees_of_freedom) {
 
 double noncentrality_upper_bound(double x, double degrees_of_freedom, double beta) {
     if (math::cdf(math::chi_squared(degrees_of_freedom), x) <= beta) return 0;
+    // Far beyond what Boost's series reaches: one coordinate is as short as the whole vector or shorter, so
+    // P(X ≤ x) ≤ P(Z ≤ sqrt(x) − sqrt(noncentrality)).
+    if (x > 1e8) return std::pow(std::sqrt(x) + normal_upper_quantile(beta), 2);
     return math::non_central_chi_squared::find_non_centrality(degrees_of_freedom, x, beta);
 }
 

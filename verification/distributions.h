@@ -19,7 +19,8 @@ double chi_square_tail(double x, double degrees_of_freedom);
 double chi_square_upper_quantile(double tail, double degrees_of_freedom);
 
 /// The upper (1 − beta) confidence bound of the noncentrality of a chi-square variable observed at x: the largest
-/// noncentrality under which a value ≤ x still has probability beta; 0 when none has.
+/// noncentrality under which a value ≤ x still has probability beta; 0 when none has. Above x = 1e8 a bound that is
+/// larger by at most the degrees of freedom.
 double noncentrality_upper_bound(double x, double degrees_of_freedom, double beta);
 
 /// Clopper–Pearson: the interval of a probability after `successes` of `trials`, each end wrong with at most `tail`.

@@ -37,6 +37,13 @@ TEST(Noncentrality, IsZeroWhereEvenTheCentralOneIsTooLarge) {
     EXPECT_EQ(noncentrality_upper_bound(0.5, 30, 0.01), 0);
 }
 
+TEST(Noncentrality, HasABoundHoweverFarOut) {
+    for (const double x : {1e7, 1.01e8, 1e12, 1e18}) {
+        const double bound = noncentrality_upper_bound(x, 3, 0.01), root = std::sqrt(x) + 2.3263478740408408;
+        EXPECT_NEAR(bound / (root * root), 1, 1e-6) << x;
+    }
+}
+
 TEST(ClopperPearson, AgreesWithThePublishedExample) {
     const Interval p = clopper_pearson(4, 20, 0.05);  // NIST 7.2.4.1: 90 % interval of 4 in 20
     EXPECT_NEAR(p.low, 0.071354, 1e-6);

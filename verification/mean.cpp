@@ -34,12 +34,23 @@ Interval with_rounding(const Interval& bounds) {
     return {bounds.low - 1e-12 * scale, bounds.high + 1e-12 * scale};
 }
 
+// The test sees (x − reference)/delta: nothing cancels beside a large reference, and no square under- or overflows.
+struct Units {
+    double reference, delta;
+
+    [[nodiscard]] double of(double x) const { return (x - reference) / delta; }
+    [[nodiscard]] Interval of(const Interval& x) const { return {of(x.low), of(x.high)}; }
+};
+
 // A value that no mean can survive, or that the claim's own bounds exclude; empty when all is well.
-std::string defect_of(double value, std::uint64_t index, const Interval& bounds) {
+std::string defect_of(double value, std::uint64_t index, const Interval& bounds, const Units& units) {
     if (!std::isfinite(value)) return fmt::format("sample {} is {}", index, value);
     if (!bounds.contains(value))
         return fmt::format("sample {} is {:.17g}, outside the declared bounds [{:.17g}, {:.17g}]", index, value,
                            bounds.low, bounds.high);
+    if (!std::isfinite(units.of(value)))
+        return fmt::format("sample {} is {}, more than 1e308 times {} away from {}", index, value, units.delta,
+                           units.reference);
     return {};
 }
 
@@ -72,30 +83,32 @@ std::string undecided_reason(const MeanTest& test, std::uint64_t cap) {
     return fmt::format("neither side was decided within the claim's {} samples", cap);
 }
 
+double mean_of(const MeanTest& test, const Units& units) {
+    return units.reference + units.delta * test.moments().mean();
+}
+
 // What the test found, as a verdict about mean − reference; the sentences name what was claimed.
-Verdict describe(const MeanTest& test, MeanTest::Decision decision, double reference, std::uint64_t cap, double delta) {
-    const Moments& moments = test.moments();
-    const double bias = moments.mean() - reference, error = moments.standard_error();
+Verdict describe(const MeanTest& test, MeanTest::Decision decision, const Units& units, std::uint64_t cap) {
+    const Moments& moments = test.moments();  // of (x − reference)/delta
     Verdict verdict;
     verdict.samples = moments.count();
-    verdict.statistic = bias / error;
+    verdict.statistic = moments.mean() / moments.standard_error();
     verdict.p_value = test.p_value();
-    const Interval mean = test.mean_interval();
-    verdict.deviation = {mean.low - reference, mean.high - reference};
-    verdict.resolution = delta;
+    const Interval bias = test.mean_interval();
+    verdict.deviation = {units.delta * bias.low, units.delta * bias.high};
+    verdict.resolution = units.delta;
     switch (decision) {
         case MeanTest::Decision::holds: verdict.outcome = Outcome::holds; break;
         case MeanTest::Decision::refuted: verdict.outcome = Outcome::refuted; break;
         case MeanTest::Decision::none: verdict.reason = undecided_reason(test, cap);
     }
-    const double needed = moments.variance() / (delta * delta);
-    verdict.evidence = {{"mean", moments.mean()},
-                        {"standard_error", error},
-                        {"reference", reference},
-                        {"delta", delta},
+    verdict.evidence = {{"mean", mean_of(test, units)},
+                        {"standard_error", units.delta * moments.standard_error()},
+                        {"reference", units.reference},
+                        {"delta", units.delta},
                         {"skewness", moments.skewness()},
                         {"cap", cap},
-                        {"cap_over_needed", static_cast<double>(cap) / (100 * needed)},
+                        {"cap_over_needed", static_cast<double>(cap) / (100 * moments.variance())},
                         {"risks", test.exact() ? std::string("exact: bounded values") : std::string("asymptotic")}};
     return verdict;
 }
@@ -104,22 +117,24 @@ Verdict describe(const MeanTest& test, MeanTest::Decision decision, double refer
 // consumed, so at most a quarter is drawn in vain; decisions are made in sample order and what was drawn past one is
 // discarded, so that neither waves nor threads show in a verdict.
 std::optional<Verdict> feed(MeanTest& test, MeanTest::Decision& decision, const Draw& draw, const Interval& bounds,
-                            std::uint64_t cap, const Run& run) {
+                            const Units& units, std::uint64_t cap, const Run& run) {
     std::uint64_t drawn = 0;
     while (decision == MeanTest::Decision::none && drawn < cap) {
         const std::uint64_t wave =
             std::min(cap - drawn, std::clamp<std::uint64_t>(drawn / 4 / 256 * 256, 1024, 1 << 18));
-        const std::vector<double> values = draw_values(draw, run, drawn, wave);
+        std::vector<double> values = draw_values(draw, run, drawn, wave);
         for (std::uint64_t used = 0; used < wave && decision == MeanTest::Decision::none;) {
             const auto block = std::span(values).subspan(used, std::min<std::uint64_t>(test.block_size(), wave - used));
-            for (std::size_t i = 0; i < block.size(); ++i)
-                if (std::string defect = defect_of(block[i], drawn + used + i, bounds); !defect.empty()) {
+            for (std::size_t i = 0; i < block.size(); ++i) {
+                if (std::string defect = defect_of(block[i], drawn + used + i, bounds, units); !defect.empty()) {
                     Verdict verdict;
                     verdict.outcome = Outcome::refuted;
                     verdict.samples = drawn + used + i + 1;
                     verdict.reason = std::move(defect);
                     return verdict;
                 }
+                block[i] = units.of(block[i]);
+            }
             decision = test.add(block);
             used += block.size();
         }
@@ -140,34 +155,35 @@ void check_setting(const MeanClaim& claim) {
 Verdict mean_is(const Draw& draw, const MeanClaim& claim, const Run& run) {
     check_setting(claim);
     if (claim.zero_variance) return every_value_is(draw, claim, run);
-    const auto around = [&](double half) { return Interval{claim.reference - half, claim.reference + half}; };
+    const Units units{claim.reference, claim.delta};
+    const double allowed = claim.epsilon / claim.delta;
     const Interval bounds = with_rounding(claim.bounds);
-    MeanTest test(
-        {around(claim.epsilon), around(claim.delta), claim.delta, bounds, run.alpha(), run.beta(), claim.min_samples});
+    MeanTest test({{-allowed, allowed}, {-1, 1}, 1, units.of(bounds), run.alpha(), run.beta(), claim.min_samples});
     auto decision = MeanTest::Decision::none;
-    if (std::optional<Verdict> defect = feed(test, decision, draw, bounds, claim.cap, run)) return *defect;
-    Verdict verdict = describe(test, decision, claim.reference, claim.cap, claim.delta);
+    if (std::optional<Verdict> defect = feed(test, decision, draw, bounds, units, claim.cap, run)) return *defect;
+    Verdict verdict = describe(test, decision, units, claim.cap);
     verdict.evidence.emplace_back("epsilon", claim.epsilon);
-    const double mean = test.moments().mean();
+    const double mean = mean_of(test, units), error = units.delta * test.moments().standard_error(),
+                 bias = units.delta * test.moments().mean();
     if (decision == MeanTest::Decision::holds)
         verdict.reason = fmt::format("mean {:.9g} for {:.9g}: a bias of ±{:.2g} is excluded (risk {:.2g})", mean,
                                      claim.reference, claim.delta, run.beta());
     if (decision == MeanTest::Decision::refuted)
-        verdict.reason =
-            fmt::format("mean {:.9g} ± {:.2g} for {:.9g}: biased by {:+.3g} (p ≤ {:.1e})", mean,
-                        test.moments().standard_error(), claim.reference, mean - claim.reference, verdict.p_value);
+        verdict.reason = fmt::format("mean {:.9g} ± {:.2g} for {:.9g}: biased by {:+.3g} (p ≤ {:.1e})", mean, error,
+                                     claim.reference, bias, verdict.p_value);
     return verdict;
 }
 
 Verdict mean_at_most(const Draw& draw, const AtMostClaim& claim, const Run& run) {
     if (!(claim.margin > 0)) throw std::logic_error("mean_at_most: margin must be positive");
-    const Interval below{-std::numeric_limits<double>::infinity(), claim.bound};
+    const Units units{claim.bound, claim.margin};
+    const Interval below{-std::numeric_limits<double>::infinity(), 0};
     const Interval bounds = with_rounding(claim.bounds);
-    MeanTest test({below, below, claim.margin, bounds, run.alpha(), run.beta(), 0});
+    MeanTest test({below, below, 1, units.of(bounds), run.alpha(), run.beta(), 0});
     auto decision = MeanTest::Decision::none;
-    if (std::optional<Verdict> defect = feed(test, decision, draw, bounds, claim.cap, run)) return *defect;
-    Verdict verdict = describe(test, decision, claim.bound, claim.cap, claim.margin);
-    const double mean = test.moments().mean(), error = test.moments().standard_error();
+    if (std::optional<Verdict> defect = feed(test, decision, draw, bounds, units, claim.cap, run)) return *defect;
+    Verdict verdict = describe(test, decision, units, claim.cap);
+    const double mean = mean_of(test, units), error = units.delta * test.moments().standard_error();
     if (decision == MeanTest::Decision::holds)
         verdict.reason =
             fmt::format("mean {:.4g} ± {:.2g}: at most {:.4g} (risk {:.2g})", mean, error, claim.bound, run.beta());

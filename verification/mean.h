@@ -19,7 +19,7 @@ struct MeanClaim {
     double delta = 0;               ///< the bias that `holds` excludes; absolute, in the unit of the values
     double epsilon = 0;             ///< the bias the claim itself allows: rounding, the reference's own error
     Interval bounds{};              ///< of one value, where known: then every risk is exact in finite samples
-    std::uint64_t min_samples = 0;  ///< for values that can spike unseen: at least 12 / P(spike)
+    std::uint64_t min_samples = 0;  ///< for values that can spike unseen: at least 16 / P(spike)
     std::uint64_t cap = std::uint64_t{1} << 24;  ///< at least 100 (sigma/delta)²
     bool zero_variance = false;                  ///< every value is claimed to be the reference itself (within epsilon)
 };

@@ -39,7 +39,12 @@ Verdict rate_is(const Replicate& replicate, const ConvergenceSetting& setting, c
     const auto claimed = fmt::format("claimed {:.3g} … {:.3g}", exponents.low, exponents.high);
     const bool reliable = std::ranges::all_of(
         series.points, [](const ConvergencePoint& p) { return p.mse > 0 && p.log_mse_error <= largest_log_error; });
-    if (!reliable)
+    const auto no_number =
+        std::ranges::find_if(series.points, [](const ConvergencePoint& p) { return !std::isfinite(p.mse); });
+    if (no_number != series.points.end()) {
+        verdict.outcome = Outcome::refuted;
+        verdict.reason = fmt::format("the MSE at n = {} is {}", no_number->n, no_number->mse);
+    } else if (!reliable)
         verdict.reason = "an MSE is zero or its error exceeds 25 %: heavy tails, or too few replicates for a slope";
     else if (wide.disjoint(exponents)) {
         verdict.outcome = Outcome::refuted;

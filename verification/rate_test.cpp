@@ -36,6 +36,21 @@ TEST(RateIs, IsUndecidedAtZeroError) {
     EXPECT_EQ(rate_is(exact, setting(), {-3, -1}, run).outcome, Outcome::undecided);
 }
 
+TEST(RateIs, RefutesValuesThatAreNotNumbers) {
+    const auto nan = [](std::uint64_t n, RandomStream& random) {
+        return Estimate{n == 64 && random.uniform() < 0.01 ? std::nan("") : random.uniform(), 0, n};
+    };
+    const Verdict verdict = rate_is(nan, setting(), {-3, -1}, run);
+    EXPECT_EQ(verdict.outcome, Outcome::refuted);
+    EXPECT_EQ(verdict.reason, "the MSE at n = 64 is nan");
+}
+
+TEST(RateIs, OneReplicateDecidesNothing) {
+    ConvergenceSetting single = setting();
+    single.replicates = 1;
+    EXPECT_EQ(rate_is(linear_error, single, {-3, -1}, run).outcome, Outcome::undecided);
+}
+
 TEST(MeasureConvergence, RecordsErrorBiasAndEvaluations) {
     const Series series = measure_convergence(linear_error, setting(), run);
     ASSERT_EQ(series.points.size(), 4u);

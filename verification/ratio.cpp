@@ -1,6 +1,7 @@
 #include "verification/ratio.h"
 
 #include <cmath>
+#include <optional>
 
 #include "core/moments.h"
 #include "core/parallel.h"
@@ -9,18 +10,37 @@
 namespace plumb {
 namespace {
 
-Moments replicate_moments(const Draw& draw, std::uint64_t count, const Run& run) {
+// Moments of the replicates, and the first that is not a finite number.
+struct Replicates {
+    Moments moments;
+    std::optional<std::uint64_t> not_finite;
+};
+
+Replicates replicate(const Draw& draw, std::uint64_t count, const Run& run) {
     constexpr std::uint64_t batch = 1024;
-    std::vector<Moments> parts((count + batch - 1) / batch);
+    std::vector<Replicates> parts((count + batch - 1) / batch);
     for_batches(parts.size(), [&](std::size_t b) {
         for (std::uint64_t i = b * batch; i < std::min((b + 1) * batch, count); ++i) {
             RandomStream random = run.random(i);
-            parts[b].add(draw(random));
+            const double x = draw(random);
+            if (!std::isfinite(x) && !parts[b].not_finite) parts[b].not_finite = i;
+            parts[b].moments.add(x);
         }
     });
-    Moments all;
-    for (const Moments& part : parts) all.merge(part);
+    Replicates all;
+    for (const Replicates& part : parts) {
+        all.moments.merge(part.moments);
+        if (!all.not_finite) all.not_finite = part.not_finite;
+    }
     return all;
+}
+
+Verdict not_a_number(std::uint64_t replicate, std::string_view of) {
+    Verdict verdict;
+    verdict.outcome = Outcome::refuted;
+    verdict.samples = replicate + 1;
+    verdict.reason = fmt::format("replicate {} of {} is not a finite number", replicate, of);
+    return verdict;
 }
 
 struct LogRatio {
@@ -62,8 +82,11 @@ Verdict log_ratio_verdict(const LogRatio& ratio, const Interval& claimed, std::u
 }  // namespace
 
 Verdict ratio_is(const Draw& a, const Draw& b, const RatioClaim& claim, const Run& run) {
-    const Moments ma = replicate_moments(a, claim.replicates, run.part("a")),
-                  mb = replicate_moments(b, claim.replicates, run.part("b"));
+    const Replicates of_a = replicate(a, claim.replicates, run.part("a")),
+                     of_b = replicate(b, claim.replicates, run.part("b"));
+    if (of_a.not_finite) return not_a_number(*of_a.not_finite, "a");
+    if (of_b.not_finite) return not_a_number(*of_b.not_finite, "b");
+    const Moments &ma = of_a.moments, &mb = of_b.moments;
     const double r = static_cast<double>(claim.replicates);
     const LogRatio ratio{std::log(ma.variance() * claim.cost_a / (mb.variance() * claim.cost_b)),
                          std::sqrt((ma.kurtosis() - 1) / r + (mb.kurtosis() - 1) / r)};
@@ -72,7 +95,9 @@ Verdict ratio_is(const Draw& a, const Draw& b, const RatioClaim& claim, const Ru
 
 Verdict variance_is(const Draw& draw, double variance, double relative_delta, std::uint64_t replicates,
                     const Run& run) {
-    const Moments m = replicate_moments(draw, replicates, run);
+    const Replicates all = replicate(draw, replicates, run);
+    if (all.not_finite) return not_a_number(*all.not_finite, "the estimator");
+    const Moments& m = all.moments;
     const LogRatio ratio{std::log(m.variance() / variance),
                          std::sqrt((m.kurtosis() - 1) / static_cast<double>(replicates))};
     return log_ratio_verdict(ratio, {1 - relative_delta, 1 + relative_delta}, replicates,

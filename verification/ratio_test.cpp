@@ -24,6 +24,18 @@ TEST(RatioIs, ZeroSampleVarianceDecidesNothing) {
     EXPECT_EQ(ratio_is(one, uniform, {.ratio = {0, 1}}, run).outcome, Outcome::undecided);
 }
 
+TEST(RatioIs, RefutesValuesThatAreNotNumbers) {
+    const auto nan = [](RandomStream& random) { return random.uniform() < 0.001 ? std::nan("") : random.uniform(); };
+    const Verdict verdict = ratio_is(uniform, nan, {.ratio = {0.9, 1.1}}, run);
+    EXPECT_EQ(verdict.outcome, Outcome::refuted);
+    EXPECT_THAT(verdict.reason, testing::HasSubstr("of b is not a finite number"));
+    EXPECT_EQ(variance_is(nan, 1.0 / 12, 0.1, 10000, run).outcome, Outcome::refuted);
+}
+
+TEST(RatioIs, OneReplicateDecidesNothing) {
+    EXPECT_EQ(ratio_is(uniform, uniform, {.ratio = {0.5, 2}, .replicates = 1}, run).outcome, Outcome::undecided);
+}
+
 TEST(VarianceIs, FindsTheVarianceOverNAtNTwo) {
     EXPECT_EQ(variance_is(uniform, 1.0 / 12, 0.1, 10000, run).outcome, Outcome::holds);
     EXPECT_EQ(variance_is(uniform, 1.0 / 24, 0.1, 10000, run).outcome, Outcome::refuted);

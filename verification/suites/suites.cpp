@@ -20,7 +20,13 @@ Catalogue shipped_catalogue() {
     add_roulette_claims(catalogue);
     add_debiasing_claims(catalogue);
     add_forecast_claims(catalogue);
-    add_calibration_claims(catalogue);
+    add_calibration_claims_of_means(catalogue);
+    add_calibration_claims_of_distributions(catalogue);
+    add_calibration_claims_of_slopes(catalogue);
+    add_calibration_claims_of_error_bars(catalogue);
+    add_calibration_claims_of_functions(catalogue);
+    add_calibration_claims_of_holes(catalogue);
+    add_calibration_claims_of_cost(catalogue);
     return catalogue;
 }
 

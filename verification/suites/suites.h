@@ -24,6 +24,12 @@ void add_variance_reduction_claims(Catalogue& catalogue);
 void add_roulette_claims(Catalogue& catalogue);
 void add_debiasing_claims(Catalogue& catalogue);
 void add_forecast_claims(Catalogue& catalogue);
-void add_calibration_claims(Catalogue& catalogue);
+void add_calibration_claims_of_means(Catalogue& catalogue);
+void add_calibration_claims_of_distributions(Catalogue& catalogue);
+void add_calibration_claims_of_slopes(Catalogue& catalogue);
+void add_calibration_claims_of_error_bars(Catalogue& catalogue);
+void add_calibration_claims_of_functions(Catalogue& catalogue);
+void add_calibration_claims_of_holes(Catalogue& catalogue);
+void add_calibration_claims_of_cost(Catalogue& catalogue);
 
 }  // namespace plumb
