@@ -29,6 +29,8 @@ protected:
         std::vector<float> pixels(64 * 48 * 3);
         for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<float>(i * i % 251) / 255.0f;
         pixels.back() = last;
+        OIIO::attribute("threads", 1);  // as the reader does
+        OIIO::attribute("exr_threads", -1);
         auto out = OIIO::ImageOutput::create(path(name).string());
         EXPECT_TRUE(out && out->open(path(name).string(), spec) &&
                     out->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && out->close());
