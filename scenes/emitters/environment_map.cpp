@@ -61,11 +61,19 @@ std::optional<EmitterHit> EnvironmentMap::hit(Vec3, Vec3 direction) const {
     return EmitterHit{.radiance = lookup(uv), .pdf = pdf({cell_at(uv[0], width_), cell_at(uv[1], height_)})};
 }
 
+/// ∫ L dω exactly: in longitude the hat function of a pixel has the integral Δφ; in latitude that of row j against
+/// sin θ has (2 sin θ_j − sin θ_{j−1} − sin θ_{j+1})/Δθ, and those of the outermost rows, constant up to the pole,
+/// 1 − (sin θ_1 − sin θ_0)/Δθ.
 Spectrum EnvironmentMap::power(double scene_radius) const {
+    const double step = pi / static_cast<double>(height_);
+    const double end = height_ == 1 ? 2 : 1 - (std::sin(1.5 * step) - std::sin(0.5 * step)) / step;
     Spectrum sum;
-    for (std::size_t j = 0; j < height_; ++j)
-        for (std::size_t i = 0; i < width_; ++i) sum += cell_mean(i, j) * solid_angle(j);
-    return sum * (pi * scene_radius * scene_radius);
+    for (std::size_t j = 0; j < height_; ++j) {
+        const double inner = 2 * std::sin((static_cast<double>(j) + 0.5) * step) * (1 - std::cos(step)) / step;
+        const double weight = j == 0 || j + 1 == height_ ? end : inner;
+        for (std::size_t i = 0; i < width_; ++i) sum += pixels_[j * width_ + i] * weight;
+    }
+    return sum * (2 * pi / static_cast<double>(width_) * pi * scene_radius * scene_radius);
 }
 
 Spectrum EnvironmentMap::lookup(const Point<2>& uv) const {

@@ -20,6 +20,12 @@ Catalogue shipped_catalogue() {
     add_roulette_claims(catalogue);
     add_debiasing_claims(catalogue);
     add_forecast_claims(catalogue);
+    add_warp_claims(catalogue);
+    add_light_claims(catalogue);
+    add_light_irradiance_claims(catalogue);
+    add_light_rate_claims(catalogue);
+    add_camera_claims(catalogue);
+    add_film_claims(catalogue);
     add_calibration_claims(catalogue);
     return catalogue;
 }

@@ -24,6 +24,12 @@ void add_variance_reduction_claims(Catalogue& catalogue);
 void add_roulette_claims(Catalogue& catalogue);
 void add_debiasing_claims(Catalogue& catalogue);
 void add_forecast_claims(Catalogue& catalogue);
+void add_warp_claims(Catalogue& catalogue);
+void add_light_claims(Catalogue& catalogue);
+void add_light_irradiance_claims(Catalogue& catalogue);
+void add_light_rate_claims(Catalogue& catalogue);
+void add_camera_claims(Catalogue& catalogue);
+void add_film_claims(Catalogue& catalogue);
 void add_calibration_claims(Catalogue& catalogue);
 
 }  // namespace plumb
