@@ -110,7 +110,7 @@ std::vector<Placement> polygon_placements(bool as_mesh) {
 
 std::vector<Placement> sphere_placements() {
     std::vector<Placement> placements;
-    for (const double height : {-0.8, -0.3, 0.0, 0.5, 1.5, 4.0})
+    for (const double height : {-0.5, -0.2, 0.0, 0.5, 1.5, 4.0})
         for (const double aside : {1.1, 3.0}) {
             const Vec3 centre{aside, 0.5, height};
             const double d = length(centre), solid_angle = 2 * pi * (1 - std::sqrt(1 - 1 / (d * d)));
