@@ -15,11 +15,13 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"core", {"core"}},
     {"analytic", {"core", "analytic"}},
     {"estimators", {"core", "analytic", "estimators"}},
+    {"scenes", {"core", "analytic", "estimators", "scenes"}},
     {"verification", {"core", "verification"}},
-    {"verification/suites", {"core", "analytic", "estimators", "verification", "verification/suites"}},
+    {"verification/suites", {"core", "analytic", "estimators", "scenes", "verification", "verification/suites"}},
     {"reports", {"core", "verification", "reports"}},
     {"studies", {"core", "analytic", "estimators", "verification", "reports", "studies"}},
-    {"cli", {"core", "analytic", "estimators", "verification", "verification/suites", "reports", "studies", "cli"}},
+    {"cli",
+     {"core", "analytic", "estimators", "scenes", "verification", "verification/suites", "reports", "studies", "cli"}},
 };
 
 std::string folder_of(const std::string& path) {

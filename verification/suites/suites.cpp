@@ -27,6 +27,12 @@ Catalogue shipped_catalogue() {
     add_calibration_claims_of_functions(catalogue);
     add_calibration_claims_of_holes(catalogue);
     add_calibration_claims_of_cost(catalogue);
+    add_warp_claims(catalogue);
+    add_light_claims(catalogue);
+    add_light_irradiance_claims(catalogue);
+    add_light_rate_claims(catalogue);
+    add_camera_claims(catalogue);
+    add_film_claims(catalogue);
     return catalogue;
 }
 

@@ -31,5 +31,11 @@ void add_calibration_claims_of_error_bars(Catalogue& catalogue);
 void add_calibration_claims_of_functions(Catalogue& catalogue);
 void add_calibration_claims_of_holes(Catalogue& catalogue);
 void add_calibration_claims_of_cost(Catalogue& catalogue);
+void add_warp_claims(Catalogue& catalogue);
+void add_light_claims(Catalogue& catalogue);
+void add_light_irradiance_claims(Catalogue& catalogue);
+void add_light_rate_claims(Catalogue& catalogue);
+void add_camera_claims(Catalogue& catalogue);
+void add_film_claims(Catalogue& catalogue);
 
 }  // namespace plumb

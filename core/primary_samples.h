@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+
+#include "core/random.h"
+
+namespace plumb {
+
+/// What a pair of random numbers of a path is for. Coordinates of a path go by name, never by counting calls, so that
+/// replay, Markov chains, guiding and reweighting stay aligned when a vertex skips a draw.
+enum class Use : std::uint8_t { film, lens, time, wavelength, light, light_point, lobe, direction, roulette, shadow };
+
+/// Which pair: the path's vertex (the sensor is 0; light subpaths count from 0x8000) and what for.
+struct Slot {
+    std::uint16_t vertex = 0;
+    Use use = Use::film;
+    friend auto operator<=>(const Slot&, const Slot&) = default;
+};
+
+/// u in [0,1)² and the density it was drawn with there: 1 unless guided.
+struct Drawn {
+    std::array<double, 2> u;
+    double density = 1;
+};
+
+/// 16 bytes that replay a whole path.
+struct PathKey {
+    std::uint64_t seed = 0;
+    std::uint32_t pixel = 0, sample = 0;
+    friend bool operator==(const PathKey&, const PathKey&) = default;
+};
+
+/// Where an integrator takes a path's random numbers from.
+struct PrimarySamples {
+    virtual ~PrimarySamples() = default;
+    /// The numbers of the slot: the same however often and in whatever order they are asked for.
+    virtual Drawn at(Slot slot) = 0;
+    /// The density that at(slot) would have drawn u with.
+    [[nodiscard]] virtual double density(Slot, const std::array<double, 2>& u) const {
+        static_cast<void>(u);
+        return 1;
+    }
+};
+
+/// Independent uniform numbers: a pure function of the key and the slot.
+class IndependentSamples final : public PrimarySamples {
+public:
+    explicit IndependentSamples(const PathKey& key) : key_(key) {}
+    Drawn at(Slot slot) override {
+        const std::uint64_t path = static_cast<std::uint64_t>(key_.pixel) << 32 | key_.sample;
+        const std::uint64_t index = static_cast<std::uint64_t>(slot.vertex) << 8 | static_cast<std::uint8_t>(slot.use);
+        RandomStream random(key_.seed, path, index);
+        return {{random.uniform(), random.uniform()}};
+    }
+
+private:
+    PathKey key_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <optional>
+
+#include "core/spectrum.h"
+#include "core/vec3.h"
+
+namespace plumb {
+
+// Conventions of every closure, held to by verification/suites/bsdf*.cpp and by check_bsdf for anybody's model:
+//   directions are unit vectors in the shading frame, z along the normal, both leaving the surface;
+//   wo is given, wi is chosen; z > 0 is outside (the side of the exterior index), a closure handles both signs of wo.z;
+//   eval() is f(wo, wi)·|wi.z|, pdf() is per steradian of wi; both describe the smooth part only: mirrors and smooth
+//   interfaces speak through sample();
+//   a refracted sample's radiance scales by 1/eta² (Transport::radiance), importance does not (Transport::importance);
+//   everything is lane by lane in Spectrum; a closure is a small value of numbers (textures are resolved before).
+
+enum class Transport { radiance, importance };
+enum class Measure { solid_angle, discrete };
+
+struct BsdfSample {
+    Vec3 wi;
+    Spectrum weight;  ///< eval / pdf for a smooth lobe, reflectance or transmittance / probability for a discrete one
+    double pdf;       ///< per steradian, or a probability, as measure says
+    Measure measure;
+    double eta = 1;    ///< index on wi's side over index on wo's side: 1 for reflection
+    double roughness;  ///< of the lobe that was sampled: 0 for a mirror, 1 for a diffuse one
+};
+
+template <class B>
+concept BsdfModel = requires(const B& bsdf, Vec3 wo, Vec3 wi, const std::array<double, 3>& u, Transport transport) {
+    { bsdf.eval(wo, wi, transport) } -> std::same_as<Spectrum>;
+    { bsdf.pdf(wo, wi) } -> std::same_as<double>;
+    /// Empty: nothing scatters (the sample is lost, and its estimate is 0).
+    { bsdf.sample(wo, u, transport) } -> std::same_as<std::optional<BsdfSample>>;
+    /// The probability that sample(wo) takes a discrete lobe, and that it is empty: ∫pdf + discrete + lost = 1.
+    { bsdf.discrete(wo) } -> std::same_as<double>;
+    { bsdf.lost(wo) } -> std::same_as<double>;
+};
+
+}  // namespace plumb

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "scenes/emitters/emitter.h"
+#include "scenes/warps.h"
+
+namespace plumb {
+
+/// The same radiance from every direction.
+struct ConstantEnvironment {
+    Spectrum radiance;
+
+    [[nodiscard]] std::optional<EmitterSample> sample(Vec3, const Point<2>& u) const {
+        EmitterSample sample{.direction = sample_uniform_sphere(u), .radiance = radiance};
+        sample.pdf = uniform_sphere_pdf(sample.direction);
+        return sample;
+    }
+    [[nodiscard]] std::optional<EmitterHit> hit(Vec3, Vec3 direction) const {
+        return EmitterHit{.radiance = radiance, .pdf = uniform_sphere_pdf(direction)};
+    }
+    /// 4π steradians through a disk of area π r².
+    [[nodiscard]] Spectrum power(double scene_radius) const {
+        return radiance * (4 * pi * pi * scene_radius * scene_radius);
+    }
+};
+static_assert(EmitterModel<ConstantEnvironment>);
+
+}  // namespace plumb

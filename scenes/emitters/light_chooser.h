@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "estimators/piecewise_constant.h"
+#include "scenes/emitters/emitter.h"
+
+namespace plumb {
+
+/// Which of n lights: an index and its probability, a light's solid-angle pdf times which is the density of the pair.
+struct ChosenLight {
+    std::size_t index;
+    double pmf;
+};
+
+/// Chooses a light with fixed probabilities, whatever the shading point.
+class LightChooser {
+public:
+    /// All alike; count > 0.
+    static LightChooser uniform(std::size_t count) { return LightChooser(std::vector<double>(count, 1.0)); }
+    /// In proportion to the luminance of their power; all alike when every light is black. Throws Error for power that
+    /// is negative or not finite.
+    static LightChooser by_power(const std::vector<Spectrum>& powers) {
+        std::vector<double> weights;
+        for (const Spectrum& power : powers) weights.push_back(luminance(power));
+        if (std::ranges::all_of(weights, [](double w) { return w == 0; })) return uniform(powers.size());
+        return LightChooser(weights);
+    }
+
+    [[nodiscard]] ChosenLight sample(double u) const {
+        const auto i =
+            std::min(static_cast<std::size_t>(choice_.sample(u) * count_), static_cast<std::size_t>(count_) - 1);
+        return {i, pmf(i)};
+    }
+    [[nodiscard]] double pmf(std::size_t index) const {
+        return choice_.pdf((static_cast<double>(index) + 0.5) / count_) / count_;
+    }
+    [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(count_); }
+
+private:
+    explicit LightChooser(const std::vector<double>& weights)
+        : choice_(weights), count_(static_cast<double>(weights.size())) {}
+
+    PiecewiseConstant choice_;
+    double count_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "scenes/emitters/emitter.h"
+
+namespace plumb {
+
+/// Shines from one point with the same intensity (per steradian) to every side: what arrives falls as 1/d².
+struct PointLight {
+    Vec3 position;
+    Spectrum intensity;
+
+    [[nodiscard]] std::optional<EmitterSample> sample(Vec3 from, const Point<2>&) const {
+        const Vec3 way = position - from;
+        const double squared = length_squared(way);
+        if (!(squared > 0)) return {};
+        const double distance = std::sqrt(squared);
+        return EmitterSample{way / distance, distance, intensity / squared, 1, Measure::discrete};
+    }
+    [[nodiscard]] std::optional<EmitterHit> hit(Vec3, Vec3) const { return {}; }
+    [[nodiscard]] Spectrum power(double) const { return intensity * (4 * std::numbers::pi); }
+};
+static_assert(EmitterModel<PointLight>);
+
+}  // namespace plumb

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/error.h"
+#include "scenes/emitters/surface.h"
+#include "scenes/warps.h"
+
+namespace plumb {
+
+/// A sphere that shines outwards, or inwards (flipped normals). From outside the directions to its visible cap are
+/// sampled uniformly [Shirley, Wang & Zimmerman 1996]; from inside all directions are.
+class SphereLight {
+public:
+    enum class Side { outwards, inwards };
+
+    SphereLight(Vec3 centre, double radius, const Spectrum& radiance, Side side = Side::outwards)
+        : centre_(centre), radius_(radius), radiance_(radiance), side_(side) {
+        if (!(radius > 0 && std::isfinite(radius)))
+            throw Error(fmt::format("sphere light of radius {}: it must be positive and finite", radius));
+    }
+
+    [[nodiscard]] std::optional<EmitterSample> sample(Vec3 from, const Point<2>& u) const {
+        const Vec3 to_centre = centre_ - from;
+        const double d = length(to_centre);
+        if (!shines_at(d)) return {};
+        const double cone = one_minus_cos(d);
+        const Vec3 local = sample_uniform_cone(u, cone);
+        const Vec3 direction = d > 0 ? Frame(to_centre / d).to_world(local) : local;
+        const double sin_squared = local.x * local.x + local.y * local.y;
+        return EmitterSample{direction, distance(d, local.z, sin_squared), radiance_, uniform_cone_pdf(local, cone),
+                             Measure::solid_angle};
+    }
+    [[nodiscard]] std::optional<EmitterHit> hit(Vec3 from, Vec3 direction) const {
+        const Vec3 to_centre = centre_ - from;
+        const double d = length(to_centre);
+        if (!shines_at(d)) return {};
+        const double cos = d > 0 ? dot(direction, to_centre) / d : 1;
+        const double sin_squared = d > 0 ? length_squared(cross(direction, to_centre)) / (d * d) : 0;
+        if (d > radius_ && !(cos > 0 && d * d * sin_squared <= radius_ * radius_)) return {};
+        return EmitterHit{distance(d, cos, sin_squared), radiance_, 1 / (2 * pi * one_minus_cos(d))};
+    }
+    [[nodiscard]] Spectrum power(double) const { return lambertian_power(radiance_, 4 * pi * radius_ * radius_); }
+
+private:
+    [[nodiscard]] bool shines_at(double d) const { return side_ == Side::outwards ? d > radius_ : d < radius_; }
+    /// Of the half angle under which the sphere is seen from d: sin² = (R/d)², and 1 − cos = sin²/(1 + cos).
+    [[nodiscard]] double one_minus_cos(double d) const {
+        if (d <= radius_) return 2;
+        const double cos = std::sqrt((d - radius_) * (d + radius_)) / d;
+        return radius_ / d * (radius_ / d) / (1 + cos);
+    }
+    /// To the near side from outside, to the only side from inside.
+    [[nodiscard]] double distance(double d, double cos, double sin_squared) const {
+        const double half_chord = std::sqrt(std::max(0.0, radius_ * radius_ - d * d * sin_squared));
+        return d > radius_ ? d * cos - half_chord : d * cos + half_chord;
+    }
+
+    Vec3 centre_;
+    double radius_;
+    Spectrum radiance_;
+    Side side_;
+};
+static_assert(EmitterModel<SphereLight>);
+
+}  // namespace plumb

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "scenes/emitters/emitter.h"
+
+namespace plumb {
+
+// What all emitters that are sampled by area share.
+
+/// The sample at a point of a light that shines to the side of `normal`, chosen with density pdf_area.
+inline std::optional<EmitterSample> sample_towards(Vec3 from, Vec3 point, Vec3 normal, const Spectrum& radiance,
+                                                   double pdf_area) {
+    const Vec3 way = point - from;
+    const double distance = length(way);
+    const double cos_at_light = -dot(normal, way) / distance;
+    if (!(cos_at_light > 0)) return {};
+    return EmitterSample{way / distance, distance, radiance, per_steradian(pdf_area, distance, cos_at_light),
+                         Measure::solid_angle};
+}
+
+/// The distance at which a ray meets the shining side of a plane, with the cosine there.
+struct PlaneHit {
+    double distance, cos_at_light;
+};
+inline std::optional<PlaneHit> meet_plane(Vec3 from, Vec3 direction, Vec3 point, Vec3 normal) {
+    const double cos_at_light = -dot(normal, direction);
+    if (!(cos_at_light > 0)) return {};
+    const double distance = dot(normal, from - point) / cos_at_light;
+    if (!(distance > 0)) return {};
+    return PlaneHit{distance, cos_at_light};
+}
+
+/// Flux of a one-sided surface of constant radiance: π L A.
+inline Spectrum lambertian_power(const Spectrum& radiance, double area) {
+    return radiance * (std::numbers::pi * area);
+}
+
+}  // namespace plumb

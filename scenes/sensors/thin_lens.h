@@ -1,0 +1,30 @@
+#pragma once
+
+#include "scenes/sensors/film_plane.h"
+#include "scenes/sensors/sensor.h"
+
+namespace plumb {
+
+/// An ideal lens, a disk: rays from all its points that start at one film point meet in the plane in focus, where the
+/// pinhole's ray meets it.
+class ThinLens {
+public:
+    /// focus: distance of the plane in focus. Throws Error unless radius and focus are positive and finite.
+    ThinLens(const CameraPose& pose, FilmSize size, double fov, double radius, double focus, FovAxis axis = FovAxis::x);
+
+    [[nodiscard]] Ray sample_ray(const Point<2>& film, const Point<2>& lens) const;
+    /// The plane in focus is at distance focus/cos, so that dω = cos³ dA/focus², dA = focus² of the plane at 1: as for
+    /// the pinhole, whatever the point of the lens.
+    [[nodiscard]] double pdf(const Ray& ray) const;
+    [[nodiscard]] std::optional<SensorSample> connect(Vec3 from, const Point<2>& lens) const;
+
+private:
+    [[nodiscard]] Vec3 lens_point(const Point<2>& lens) const;
+
+    CameraPose pose_;
+    FilmPlane plane_;
+    double radius_, focus_;
+};
+static_assert(SensorModel<ThinLens>);
+
+}  // namespace plumb

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <optional>
+
+#include "core/point.h"
+#include "core/vec3.h"
+#include "verification/deterministic.h"
+
+namespace plumb {
+
+/// Where a map from the unit square leads, in space or on the sphere, and the density that it states there.
+struct Mapped {
+    Vec3 place;
+    double pdf;
+};
+using SquareMap = std::function<std::optional<Mapped>(const Point<2>& u)>;
+
+/// |∂x/∂u0 × ∂x/∂u1| by differences of fourth order: the area that the map gives to a unit of the square.
+inline double area_scale(const SquareMap& map, const Point<2>& u) {
+    constexpr double h = 1e-5;
+    const auto derivative = [&](std::size_t axis) {
+        const auto at = [&](double step) {
+            Point<2> moved = u;
+            moved[axis] += step * h;
+            const auto mapped = map(moved);
+            return mapped ? mapped->place : Vec3{NAN, NAN, NAN};
+        };
+        return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * h);
+    };
+    return length(cross(derivative(0), derivative(1)));
+}
+
+/// pdf · area_scale = 1 at 200 places, spread by the powers of the plastic number [Roberts 2018]; places where the map
+/// is empty are passed over.
+inline Verdict pdf_is_jacobian(const SquareMap& map) {
+    std::vector<BoundedCase> cases;
+    for (int i = 1; i <= 200; ++i) {
+        const auto spread = [&](double step) { return 0.01 + 0.98 * std::fmod(0.5 + step * i, 1.0); };
+        const Point<2> u{spread(0.7548776662466927), spread(0.5698402909980532)};
+        if (const auto mapped = map(u))
+            cases.push_back({fmt::format("u = ({:.6f}, {:.6f})", u[0], u[1]),
+                             std::abs(mapped->pdf * area_scale(map, u) - 1), u[0]});
+    }
+    if (cases.empty()) cases.push_back({"no place at all", HUGE_VAL});
+    return within_bound(cases, 1e-7, "of 1");
+}
+
+}  // namespace plumb
