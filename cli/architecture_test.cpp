@@ -15,8 +15,9 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"core", {"core"}},
     {"analytic", {"core", "analytic"}},
     {"estimators", {"core", "analytic", "estimators"}},
+    {"scenes", {"core", "analytic", "estimators", "scenes"}},
     {"verification", {"core", "verification"}},
-    {"verification/suites", {"core", "analytic", "estimators", "verification", "verification/suites"}},
+    {"verification/suites", {"core", "analytic", "estimators", "scenes", "verification", "verification/suites"}},
     {"reports", {"core", "verification", "reports"}},
     {"cli", {"core", "analytic", "estimators", "verification", "verification/suites", "reports", "cli"}},
 };
