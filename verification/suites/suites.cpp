@@ -20,6 +20,7 @@ Catalogue shipped_catalogue() {
     add_roulette_claims(catalogue);
     add_debiasing_claims(catalogue);
     add_forecast_claims(catalogue);
+    add_surface_claims(catalogue);
     add_calibration_claims(catalogue);
     return catalogue;
 }

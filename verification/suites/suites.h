@@ -24,6 +24,7 @@ void add_variance_reduction_claims(Catalogue& catalogue);
 void add_roulette_claims(Catalogue& catalogue);
 void add_debiasing_claims(Catalogue& catalogue);
 void add_forecast_claims(Catalogue& catalogue);
+void add_surface_claims(Catalogue& catalogue);
 void add_calibration_claims(Catalogue& catalogue);
 
 }  // namespace plumb
