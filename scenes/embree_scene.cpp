@@ -176,10 +176,9 @@ std::optional<Hit> EmbreeScene::intersect(const Ray& ray) const {
         hit = mesh_hit(*mesh, found.hit.primID, found.hit.u, found.hit.v);
         hit.t = found.ray.tfar;
     } else {
-        const Ray seen = widened(narrowed(ray));
-        const double t = intersect_analytic(shape, seen).value_or(found.ray.tfar);
+        const double t = intersect_analytic(shape, ray).value_or(found.ray.tfar);
         const Sphere* sphere = std::get_if<Sphere>(&shape.geometry);
-        hit = sphere ? sphere_hit(*sphere, seen, t) : disk_hit(std::get<Disk>(shape.geometry), seen, t);
+        hit = sphere ? sphere_hit(*sphere, ray, t) : disk_hit(std::get<Disk>(shape.geometry), ray, t);
     }
     hit.shape = found.hit.geomID;
     return hit;

@@ -7,8 +7,15 @@ namespace plumb {
 
 namespace {
 
+double rounded(double x) {
+    float narrow = static_cast<float>(x);
+    // GCC 12 drops double → float → double where it vectorizes several of them; this keeps the float.
+    asm("" : "+x"(narrow));
+    return narrow;
+}
+
 Vec3 rounded(Vec3 p) {
-    return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+    return {rounded(p.x), rounded(p.y), rounded(p.z)};
 }
 
 Vec3 absolute(Vec3 p) {
