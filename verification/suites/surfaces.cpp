@@ -218,10 +218,6 @@ auto fixed_epsilon(double epsilon) {
         return rounded_ray(from.position + side(from, direction) * epsilon, direction);
     };
 }
-Ray without_inset(SurfacePoint from, Vec3 direction) {
-    from.inset = from.position;
-    return leave(from, direction);
-}
 Ray far_end_not_lifted(const SurfacePoint& from, const SurfacePoint& to) {
     const Vec3 origin = ray_origin(from, to.position - from.position);
     return rounded_ray(origin, to.position - origin, 1);
@@ -245,15 +241,11 @@ void add_surface_claims(Catalogue& catalogue) {
                                         {"tessellated-sphere", "a sphere of triangles", tessellated_sphere},
                                         {"sphere", "a sphere", analytic_sphere}};
     for (const auto& [id, name, surface] : subjects) {
-        std::vector<Mutant> mutants{
+        const std::vector<Mutant> mutants{
             {"no-offset", "a ray starts at the point rounded to floats", closed(surface, {.leaves = no_offset})},
             {"fixed-epsilon", "a ray starts 1e-4 off the surface wherever it lies",
              closed(surface, {.leaves = fixed_epsilon(1e-4)})},
             {"wrong-side", "a ray starts behind the surface that it leaves", closed(surface, {.leaves = wrong_side})}};
-        if (id == "tetrahedron") {
-            mutants.push_back(
-                {"no-inset", "a ray starts as near to an edge as it may", closed(surface, {.leaves = without_inset})});
-        }
         catalogue.add({.id = "mesh/" + id + "/closed",
                        .statement = "Every ray from inside " + name +
                                     " hits it, and none hits the surface that it leaves, up "
