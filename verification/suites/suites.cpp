@@ -33,6 +33,7 @@ Catalogue shipped_catalogue() {
     add_light_rate_claims(catalogue);
     add_camera_claims(catalogue);
     add_film_claims(catalogue);
+    add_surface_claims(catalogue);
     return catalogue;
 }
 

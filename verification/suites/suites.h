@@ -37,5 +37,6 @@ void add_light_irradiance_claims(Catalogue& catalogue);
 void add_light_rate_claims(Catalogue& catalogue);
 void add_camera_claims(Catalogue& catalogue);
 void add_film_claims(Catalogue& catalogue);
+void add_surface_claims(Catalogue& catalogue);
 
 }  // namespace plumb

@@ -1,0 +1,115 @@
+#include "scenes/mitsuba_xml.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "scenes/mitsuba_loader.h"
+
+namespace plumb {
+
+namespace {
+
+const std::map<std::string, std::vector<std::string>>& plugins() {
+    static const std::map<std::string, std::vector<std::string>> table{
+        {"shape", {"cube", "disk", "obj", "ply", "rectangle", "sphere"}},
+        {"bsdf",
+         {"conductor", "dielectric", "diffuse", "mask", "plastic", "roughconductor", "roughdielectric", "roughplastic",
+          "twosided"}},
+        {"texture", {"bitmap", "checkerboard"}},
+        {"emitter", {"area", "constant", "envmap", "point"}},
+        {"sensor", {"perspective", "thinlens"}},
+        {"film", {"hdrfilm"}},
+        {"rfilter", {"box", "gaussian", "tent"}},
+    };
+    return table;
+}
+
+}  // namespace
+
+std::vector<std::string> mitsuba_plugins(const std::string& kind) {
+    const auto found = plugins().find(kind);
+    if (found == plugins().end()) throw Error(fmt::format("no plugins of the kind '{}'", kind));
+    return found->second;
+}
+
+namespace mitsuba {
+
+const XmlElement& Loader::resolve(const XmlElement& element) const {
+    const XmlElement* target = &element;
+    for (std::size_t hops = 0; target->tag == "ref"; ++hops) {
+        const std::string& id = target->attribute("id");
+        const auto found = named.find(id);
+        if (found == named.end()) throw element.place.error(fmt::format("<ref> to '{}', which nothing is called", id));
+        if (hops > named.size()) throw element.place.error(fmt::format("<ref> to '{}' goes round in a circle", id));
+        target = found->second;
+    }
+    return *target;
+}
+
+void Loader::ignored(const description::Place& place, std::string text) {
+    scene.notes.push_back({description::Note::Kind::ignored, place, std::move(text)});
+}
+
+void Loader::replaced(const description::Place& place, std::string text, const Error& error) {
+    if (!options.lenient) throw error;
+    scene.notes.push_back({description::Note::Kind::replaced, place, std::move(text)});
+}
+
+Error Loader::unknown_plugin(const XmlElement& element) const {
+    return element.place.error(fmt::format("unknown {} '{}'; there are {}", element.tag, element.attribute("type"),
+                                           fmt::join(mitsuba_plugins(element.tag), ", ")));
+}
+
+namespace {
+
+void index_ids(const XmlElement& element, Loader& loader) {
+    for (const XmlElement& child : element.children) {
+        if (child.has("id") && child.tag != "ref") {
+            const auto [found, is_new] = loader.named.try_emplace(child.attribute("id"), &child);
+            if (!is_new) {
+                throw child.place.error(
+                    fmt::format("the id '{}' is taken by line {}", child.attribute("id"), found->second->place.line));
+            }
+        }
+        index_ids(child, loader);
+    }
+}
+
+void load_element(const XmlElement& element, Loader& loader) {
+    description::Scene& scene = loader.scene;
+    if (element.tag == "shape") {
+        scene.shapes.push_back(load_shape(element, loader));
+    } else if (element.tag == "bsdf") {
+        load_material(element, loader);
+    } else if (element.tag == "texture") {
+        load_texture(element, loader);
+    } else if (element.tag == "emitter") {
+        scene.emitters.push_back(load_emitter(element, loader));
+    } else if (element.tag == "sensor") {
+        if (scene.sensor)
+            loader.ignored(element.place, "another sensor");
+        else
+            scene.sensor = load_sensor(element, loader);
+    } else if (element.tag == "integrator" || element.tag == "sampler") {
+        loader.ignored(element.place, fmt::format("{} '{}'", element.tag, element.attribute("type")));
+    } else {
+        throw element.place.error(
+            unknown_name("element", element.tag,
+                         {"bsdf", "default", "emitter", "include", "integrator", "sensor", "shape", "texture"})
+                .what());
+    }
+}
+
+}  // namespace
+
+}  // namespace mitsuba
+
+description::Scene load_mitsuba(const std::filesystem::path& file, const LoadOptions& options) {
+    const XmlElement root = read_xml_tree(file, options.definitions);
+    mitsuba::Loader loader{.options = options};
+    mitsuba::index_ids(root, loader);
+    for (const XmlElement& element : root.children) mitsuba::load_element(element, loader);
+    return std::move(loader.scene);
+}
+
+}  // namespace plumb

@@ -1,0 +1,282 @@
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "scenes/embree_scene.h"
+#include "verification/deterministic.h"
+#include "verification/suites/suites.h"
+
+namespace plumb {
+
+namespace {
+
+using description::Shape;
+
+/// How rays start: the functions on trial.
+struct Starts {
+    std::function<Ray(const SurfacePoint&, Vec3)> leaves = leave;
+    std::function<Ray(const SurfacePoint&, const SurfacePoint&)> connects = connect;
+};
+
+/// A closed convex surface of size 1 about a center, from random numbers.
+using Closed = std::function<Shape(Vec3 center, RandomStream&)>;
+
+Shape shape_of(auto geometry) {
+    return {.geometry = std::move(geometry), .material = {}, .emitter = {}, .id = {}, .place = {}};
+}
+
+Vec3 uniform_direction(RandomStream& random) {
+    const double z = 1 - 2 * random.uniform(), angle = 2 * std::numbers::pi * random.uniform(),
+                 r = std::sqrt(1 - z * z);
+    return {r * std::cos(angle), r * std::sin(angle), z};
+}
+
+/// About the normal, down to 1e-4 radians off the surface: beyond that the direction's own rounding decides its side.
+Vec3 direction_off(Vec3 normal, RandomStream& random) {
+    const double z = 1e-4 + (1 - 1e-4) * random.uniform(), angle = 2 * std::numbers::pi * random.uniform();
+    const double r = std::sqrt(1 - z * z);
+    return Frame(normal).to_world({r * std::cos(angle), r * std::sin(angle), z});
+}
+
+Shape box(Vec3 center, RandomStream&) {
+    return shape_of(transformed(cube_mesh(), Transform::translate(center) * Transform::scale({0.5, 0.5, 0.5})));
+}
+
+/// Regular, in a random orientation: its faces stay planar when its corners are rounded.
+Shape tetrahedron(Vec3 center, RandomStream& random) {
+    const Transform turn = Transform::rotate(uniform_direction(random), 360 * random.uniform());
+    Mesh mesh;
+    for (const Vec3 corner : {Vec3{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}) {
+        const Vec3 p = center + turn.vector(corner) * 0.5;
+        mesh.positions.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+    }
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+    return shape_of(std::move(mesh));
+}
+
+/// 16 segments from pole to pole, 32 around, vertices shared.
+Shape tessellated_sphere(Vec3 center, RandomStream&) {
+    constexpr std::uint32_t rows = 16, columns = 32;
+    Mesh mesh;
+    for (std::uint32_t i = 0; i <= rows; ++i) {
+        for (std::uint32_t j = 0; j < columns; ++j) {
+            const double polar = std::numbers::pi * i / rows, azimuth = 2 * std::numbers::pi * j / columns;
+            const Vec3 p =
+                center +
+                Vec3{std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)} * 0.5;
+            mesh.positions.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+        }
+    }
+    const auto vertex = [](std::uint32_t i, std::uint32_t j) {
+        return i == 0 ? 0 : i == rows ? rows * columns : i * columns + j % columns;  // one vertex a pole
+    };
+    for (std::uint32_t i = 0; i < rows; ++i) {
+        for (std::uint32_t j = 0; j < columns; ++j) {
+            if (i > 0) mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i, j + 1)});
+            if (i + 1 < rows) mesh.triangles.push_back({vertex(i, j + 1), vertex(i + 1, j), vertex(i + 1, j + 1)});
+        }
+    }
+    return shape_of(std::move(mesh));
+}
+
+Shape analytic_sphere(Vec3 center, RandomStream&) {
+    return shape_of(description::Sphere{.center = center, .radius = 0.5, .flip_normals = false, .to_world = {}});
+}
+
+struct Counts {
+    std::uint64_t rays = 0, lost = 0, self = 0;
+};
+
+/// Whether the ray came back to where it left: a triangle at all, a sphere before half of its chord.
+bool returns(const Shape& shape, const Hit& from, const Ray& ray, const Hit& to) {
+    if (std::holds_alternative<Mesh>(shape.geometry)) return to.primitive == from.primitive;
+    const double chord = std::abs(dot(from.point.normal, normalize(ray.direction)));  // of a diameter of 1
+    return chord > 0.01 && length(to.point.position - from.point.position) < chord / 2;
+}
+
+/// The normal on the side from which the ray came.
+Vec3 facing(const Hit& hit, const Ray& ray) {
+    return dot(hit.point.normal, ray.direction) < 0 ? hit.point.normal : -hit.point.normal;
+}
+
+/// From points inside, from hit to hit, four times: each ray must hit, none the surface that it leaves.
+void walk(const Shape& shape, Vec3 center, const Starts& starts, int walks, RandomStream& random, Counts& counts) {
+    const EmbreeScene scene({&shape, 1});
+    for (int i = 0; i < walks; ++i) {
+        Ray ray = rounded_ray(center + uniform_direction(random) * (0.2 * random.uniform()), uniform_direction(random));
+        std::optional<Hit> hit = scene.intersect(ray);
+        ++counts.rays;
+        for (int bounce = 0; hit && bounce < 4; ++bounce) {
+            const Hit from = *hit;
+            ray = starts.leaves(from.point, direction_off(facing(from, ray), random));
+            hit = scene.intersect(ray);
+            ++counts.rays;
+            if (hit) counts.self += returns(shape, from, ray, *hit);
+        }
+        counts.lost += !hit;
+    }
+}
+
+/// Between pairs of hits seen from one point inside: nothing lies between, and neither end hides itself.
+void connect_pairs(const Shape& shape, Vec3 center, const Starts& starts, int pairs, RandomStream& random,
+                   Counts& counts) {
+    const EmbreeScene scene({&shape, 1});
+    for (int i = 0; i < pairs; ++i) {
+        const auto a = scene.intersect(rounded_ray(center, uniform_direction(random)));
+        const auto b = scene.intersect(rounded_ray(center, uniform_direction(random)));
+        if (!a || !b || std::abs(dot(a->point.normal, b->point.normal)) > 1 - 1e-6) continue;  // on one plane
+        ++counts.rays;
+        counts.self += scene.occluded(starts.connects(a->point, b->point));
+    }
+}
+
+/// At 0 and at 2^0 … 2^12 sizes from the world's origin, in random directions and along the axes.
+template <class Count>
+Verdict at_all_distances(const Closed& closed, const Run& run, const Count& count) {
+    Counts counts;
+    for (int exponent = -1; exponent <= 12; ++exponent) {
+        for (int place = 0; place < 8; ++place) {
+            RandomStream random = run.random(static_cast<std::uint64_t>(8 * (exponent + 1) + place));
+            const double distance = exponent < 0 ? 0 : std::exp2(exponent);
+            const Vec3 along = place == 0 ? Vec3{1, 0, 0} : place == 1 ? Vec3{0, 0, -1} : uniform_direction(random);
+            const Vec3 center = along * distance;
+            count(closed(center, random), center, run.pick(100, 2000), random, counts);
+        }
+    }
+    return exactly(counts.lost == 0 && counts.self == 0, counts.rays,
+                   fmt::format("{} of {} rays were lost, {} met the surface that they left", counts.lost, counts.rays,
+                               counts.self));
+}
+
+Check closed(const Closed& surface, const Starts& starts) {
+    return [=](const Run& run) {
+        return at_all_distances(surface, run,
+                                [&](const Shape& shape, Vec3 center, int n, RandomStream& random, Counts& counts) {
+                                    walk(shape, center, starts, n, random, counts);
+                                });
+    };
+}
+
+Check sees_itself(const Closed& surface, const Starts& starts) {
+    return [=](const Run& run) {
+        return at_all_distances(surface, run,
+                                [&](const Shape& shape, Vec3 center, int n, RandomStream& random, Counts& counts) {
+                                    connect_pairs(shape, center, starts, 8 * n, random, counts);
+                                });
+    };
+}
+
+/// Two plates of side 1, 1e-3 apart: what leaves one inwards meets the other.
+Check gap(const Starts& starts) {
+    return [=](const Run& run) {
+        Counts counts;
+        for (int exponent = 0; exponent <= 12; ++exponent) {
+            RandomStream random = run.random(static_cast<std::uint64_t>(exponent));
+            const double z = std::exp2(exponent);
+            const auto plate = [&](double height) {
+                return shape_of(transformed(rectangle_mesh(),
+                                            Transform::translate({0, 0, height}) * Transform::scale({0.5, 0.5, 0.5})));
+            };
+            const std::array<Shape, 2> plates{plate(z), plate(z + 1e-3)};
+            const EmbreeScene scene(plates);
+            for (int i = 0; i < run.pick(1000, 100'000); ++i) {
+                const Vec3 start{0.9 * random.uniform() - 0.45, 0.9 * random.uniform() - 0.45, z};
+                const bool upwards = random.uniform() < 0.5;
+                const Vec3 down = upwards ? Vec3{0, 0, -1} : Vec3{0, 0, 1};
+                const auto below = scene.intersect(rounded_ray({start.x, start.y, z - down.z}, down));
+                if (!below) continue;
+                const Vec3 inwards = direction_off(down, random);
+                if (std::abs(inwards.z) < 0.1) continue;  // would leave by the side
+                // Through to the plate's other face, and on: from there the other plate is next.
+                const auto met = scene.intersect(starts.leaves(below->point, inwards));
+                ++counts.rays;
+                counts.lost += !met || met->shape == below->shape;
+            }
+        }
+        return exactly(counts.lost == 0, counts.rays,
+                       fmt::format("{} of {} rays passed the other plate", counts.lost, counts.rays));
+    };
+}
+
+// Mutants ------------------------------------------------------------------------------------------------------------
+
+Vec3 side(const SurfacePoint& from, Vec3 direction) {
+    return dot(from.normal, direction) < 0 ? -from.normal : from.normal;
+}
+
+Ray no_offset(const SurfacePoint& from, Vec3 direction) {
+    return rounded_ray(from.position, direction);
+}
+Ray wrong_side(const SurfacePoint& from, Vec3 direction) {
+    return rounded_ray(ray_origin(from, -direction), direction);
+}
+auto fixed_epsilon(double epsilon) {
+    return [=](const SurfacePoint& from, Vec3 direction) {
+        return rounded_ray(from.position + side(from, direction) * epsilon, direction);
+    };
+}
+Ray far_end_not_lifted(const SurfacePoint& from, const SurfacePoint& to) {
+    const Vec3 origin = ray_origin(from, to.position - from.position);
+    return rounded_ray(origin, to.position - origin, 1);
+}
+Ray near_end_not_lifted(const SurfacePoint& from, const SurfacePoint& to) {
+    const Vec3 target = ray_origin(to, from.position - to.position);
+    const Vec3 origin = rounded_ray(from.position, {}).origin;
+    return rounded_ray(origin, target - origin, 1);
+}
+
+}  // namespace
+
+void add_surface_claims(Catalogue& catalogue) {
+    const std::string source = "ours, scenes/surface_point.h";
+    struct Subject {
+        std::string id, name;
+        Closed surface;
+    };
+    const std::vector<Subject> subjects{{"box", "a box", box},
+                                        {"tetrahedron", "a turned tetrahedron", tetrahedron},
+                                        {"tessellated-sphere", "a sphere of triangles", tessellated_sphere},
+                                        {"sphere", "a sphere", analytic_sphere}};
+    for (const auto& [id, name, surface] : subjects) {
+        const std::vector<Mutant> mutants{
+            {"no-offset", "a ray starts at the point rounded to floats", closed(surface, {.leaves = no_offset})},
+            {"fixed-epsilon", "a ray starts 1e-4 off the surface wherever it lies",
+             closed(surface, {.leaves = fixed_epsilon(1e-4)})},
+            {"wrong-side", "a ray starts behind the surface that it leaves", closed(surface, {.leaves = wrong_side})}};
+        catalogue.add({.id = "mesh/" + id + "/closed",
+                       .statement = "Every ray from inside " + name +
+                                    " hits it, and none hits the surface that it leaves, up "
+                                    "to 2^12 sizes from the world's origin.",
+                       .source = source,
+                       .kind = Kind::exact,
+                       .check = closed(surface, {}),
+                       .mutants = mutants});
+        if (id == "tessellated-sphere")
+            continue;  // rounding its vertices makes it bumpy: neighbours may hide each other
+        catalogue.add({.id = "mesh/" + id + "/sees-itself",
+                       .statement = "Two points of the inside of " + name +
+                                    " see each other, up to 2^12 sizes from the "
+                                    "world's origin: neither end of a shadow ray hides itself.",
+                       .source = source,
+                       .kind = Kind::exact,
+                       .check = sees_itself(surface, {}),
+                       .mutants = {{"far-end-not-lifted", "a shadow ray ends on the surface",
+                                    sees_itself(surface, {.connects = far_end_not_lifted})},
+                                   {"near-end-not-lifted", "a shadow ray starts on the surface",
+                                    sees_itself(surface, {.connects = near_end_not_lifted})}}});
+    }
+    catalogue.add(
+        {.id = "mesh/plates/gap",
+         .statement = "What leaves a plate of side 1 meets the plate 1e-3 away, up to 2^12 sizes from the world's "
+                      "origin.",
+         .source = source,
+         .kind = Kind::exact,
+         .check = gap({}),
+         .mutants = {{"fixed-epsilon", "a ray starts 2e-3 off the surface", gap({.leaves = fixed_epsilon(2e-3)})},
+                     {"no-offset", "a ray starts at the point rounded to floats", gap({.leaves = no_offset})}}});
+}
+
+}  // namespace plumb
