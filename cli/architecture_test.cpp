@@ -15,8 +15,10 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"core", {"core"}},
     {"analytic", {"core", "analytic"}},
     {"estimators", {"core", "analytic", "estimators"}},
+    {"scenes", {"core", "analytic", "estimators", "scenes"}},
     {"verification", {"core", "verification"}},
-    {"verification/suites", {"core", "analytic", "estimators", "verification", "verification/suites"}},
+    {"checks", {"core", "scenes", "verification", "checks"}},
+    {"verification/suites", {"core", "analytic", "estimators", "scenes", "verification", "checks", "verification/suites"}},
     {"reports", {"core", "verification", "reports"}},
     {"cli", {"core", "analytic", "estimators", "verification", "verification/suites", "reports", "cli"}},
 };
