@@ -43,7 +43,7 @@ SphereGrid::SphereGrid(Vec3 wo, double roughness, double eta)
     if (const double refracted = sine / across; eta != 1 && refracted < 1)
         add_graded(polar_, wo.z > 0 ? pi - std::asin(refracted) : std::asin(refracted), scale, 0, pi);
     add_graded(azimuth_, 0, scale * std::max(1e-3, std::abs(wo.z)), -pi, pi);
-    sort_apart(polar_, scale / 8);
+    sort_apart(polar_, scale / 1000);
     sort_apart(azimuth_, 0);
     for (std::size_t i = 0; i + 1 < polar_.size(); ++i)
         for (std::size_t j = 0; j + 1 < azimuth_.size(); ++j)

@@ -21,7 +21,8 @@ double squared_far_cosine(double eta, double c) {
 
 // With g = eta cos_t the amplitudes are r_s = (c − g)/(c + g) and r_p = (eta² c − g)/(eta² c + g). Both differences
 // cancel as eta → 1; multiplied through by the sums they do not:
-//   c² − g² = 1 − eta²,   eta⁴c² − g² = (eta² − 1)((eta² + 1)c² − 1).
+//   c² − g² = 1 − eta²,   eta⁴c² − g² = (eta² − 1)((eta² + 1)c² − 1) = (eta² − 1)((eta² + 1)g² − eta⁴),
+// the last for eta < 1, where it does not cancel at the critical angle.
 DielectricFresnel fresnel_dielectric(double cos_i, double eta) {
     const double g_squared = squared_far_cosine(eta, cos_i);
     const double contrast = (eta - 1) * (eta + 1);
@@ -29,7 +30,9 @@ DielectricFresnel fresnel_dielectric(double cos_i, double eta) {
     if (!(g_squared > 0)) return {1, 0};
     const double g = std::sqrt(g_squared), eta_squared = eta * eta;
     const double s = contrast / squared(cos_i + g);
-    const double p = contrast * ((eta_squared + 1) * squared(cos_i) - 1) / squared(eta_squared * cos_i + g);
+    const double past_brewster =
+        eta > 1 ? (eta_squared + 1) * squared(cos_i) - 1 : (eta_squared + 1) * g_squared - squared(eta_squared);
+    const double p = contrast * past_brewster / squared(eta_squared * cos_i + g);
     return {std::min(1.0, (s * s + p * p) / 2), g / eta};
 }
 
@@ -38,7 +41,7 @@ DielectricFresnel fresnel_dielectric(double cos_i, double eta) {
 // a − c is written without the cancellation at equal indices.
 double fresnel_conductor(double cos_i, double eta, double k) {
     const double c = cos_i, sin_squared = (1 - c) * (1 + c);
-    const double re = (eta - k) * (eta + k) - sin_squared, im = 2 * eta * k, modulus = std::hypot(re, im);
+    const double re = (eta - 1) * (eta + 1) + c * c - k * k, im = 2 * eta * k, modulus = std::hypot(re, im);
     double a = std::sqrt((modulus + std::abs(re)) / 2), b = a > 0 ? im / (2 * a) : 0;
     if (re < 0) std::swap(a, b);
     if (!(a + c > 0)) return 1;

@@ -9,7 +9,7 @@ namespace {
 // ∫ F D G1(wo) G1(wi)/(4 wo.z) dwi over the upper hemisphere, by the midpoint rule over the visible normals.
 double reflected(const Microfacets& facets, double eta, double cosine) {
     const Vec3 wo{std::sqrt(1 - cosine * cosine), 0, cosine};
-    constexpr int along = 24, around = 24;
+    constexpr int along = 48, around = 48;
     double sum = 0;
     for (int i = 0; i < along; ++i)
         for (int j = 0; j < around; ++j) {

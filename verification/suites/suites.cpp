@@ -20,6 +20,8 @@ Catalogue shipped_catalogue() {
     add_roulette_claims(catalogue);
     add_debiasing_claims(catalogue);
     add_forecast_claims(catalogue);
+    add_bsdf_model_claims(catalogue);
+    add_bsdf_term_claims(catalogue);
     add_calibration_claims(catalogue);
     return catalogue;
 }

@@ -24,6 +24,8 @@ void add_variance_reduction_claims(Catalogue& catalogue);
 void add_roulette_claims(Catalogue& catalogue);
 void add_debiasing_claims(Catalogue& catalogue);
 void add_forecast_claims(Catalogue& catalogue);
+void add_bsdf_model_claims(Catalogue& catalogue);  ///< every model against its own words
+void add_bsdf_term_claims(Catalogue& catalogue);   ///< Fresnel's and the microfacets' terms in multi-precision
 void add_calibration_claims(Catalogue& catalogue);
 
 }  // namespace plumb
