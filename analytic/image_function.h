@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analytic/image.h"
+#include "core/image.h"
 #include "core/point.h"
 
 namespace plumb {

@@ -1,6 +1,6 @@
 #include "cli/answer.h"
 
-#include "reports/file.h"
+#include "core/file.h"
 #include "reports/html.h"
 #include "reports/json.h"
 #include "verification/convergence.h"

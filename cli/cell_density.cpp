@@ -10,9 +10,9 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/file.h"
 #include "estimators/density.h"
 #include "estimators/density_2d.h"
-#include "reports/file.h"
 
 namespace plumb {
 namespace {

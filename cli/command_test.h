@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "reports/file.h"
-#include "reports/test_folder.h"
+#include "core/file.h"
+#include "core/test_folder.h"
 
 namespace plumb {
 

@@ -4,8 +4,8 @@
 #include "cli/run_info.h"
 #include "cli/user_integrand.h"
 #include "core/error.h"
+#include "core/file.h"
 #include "core/parallel.h"
-#include "reports/file.h"
 
 namespace plumb {
 namespace {

@@ -2,10 +2,10 @@
 
 #include "cli/user_integrand.h"
 #include "core/error.h"
+#include "core/file.h"
 #include "core/moments.h"
 #include "core/parallel.h"
 #include "estimators/sample_weighting.h"
-#include "reports/file.h"
 
 namespace plumb {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "cli/run_info.h"
 #include "core/error.h"
-#include "reports/file.h"
+#include "core/file.h"
 #include "reports/html.h"
 #include "reports/json.h"
 #include "reports/junit.h"

@@ -1,7 +1,7 @@
 #include "cli/commands.h"
 #include "cli/run_info.h"
+#include "core/file.h"
 #include "core/parallel.h"
-#include "reports/file.h"
 #include "reports/text.h"
 #include "verification/cost_of_a_verdict.h"
 

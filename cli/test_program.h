@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/file.h"
-#include "reports/test_folder.h"
+#include "core/file.h"
+#include "core/test_folder.h"
 
 namespace plumb {
 

@@ -90,6 +90,7 @@ UserIntegrands read_image_channels(const IntegrateOptions& options) {
     refuse(!options.domain.empty(), "--domain", "does not go with an image: it is a function on [0,1]²");
     const std::string& file = options.what.front();
     const auto image = std::make_shared<const Image>(read_image(file));
+    require_finite(*image, file);
     const Lookup lookup = options.lookup == "bilinear" ? Lookup::bilinear : Lookup::nearest;
     std::vector<UserIntegrand<2>> channels;
     for (const std::string& channel :

@@ -3,8 +3,8 @@
 #include "cli/commands.h"
 #include "cli/user_integrand.h"
 #include "core/error.h"
+#include "core/file.h"
 #include "estimators/sample_weighting.h"
-#include "reports/file.h"
 
 namespace plumb {
 namespace {

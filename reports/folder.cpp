@@ -3,7 +3,7 @@
 #include <unistd.h>
 
 #include "core/error.h"
-#include "reports/file.h"
+#include "core/file.h"
 
 namespace plumb {
 namespace fs = std::filesystem;

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "reports/file.h"
-#include "reports/test_folder.h"
+#include "core/file.h"
+#include "core/test_folder.h"
 
 namespace plumb {
 namespace {

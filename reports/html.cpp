@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reports/file.h"
+#include "core/file.h"
 #include "reports/page_data.h"
 #include "reports/page_files.h"
 

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <regex>
 
-#include "reports/file.h"
+#include "core/file.h"
+#include "core/test_folder.h"
 #include "reports/sample_results.h"
-#include "reports/test_folder.h"
 
 namespace plumb {
 namespace {

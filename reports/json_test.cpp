@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "core/error.h"
+#include "core/test_folder.h"
 #include "reports/sample_results.h"
-#include "reports/test_folder.h"
 
 namespace plumb {
 namespace {

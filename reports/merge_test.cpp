@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include "core/test_folder.h"
 #include "reports/json.h"
 #include "reports/sample_results.h"
-#include "reports/test_folder.h"
 
 namespace plumb {
 namespace {

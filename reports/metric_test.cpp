@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "core/test_folder.h"
 #include "reports/study_result.h"
-#include "reports/test_folder.h"
 
 namespace plumb {
 namespace {

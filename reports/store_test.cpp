@@ -8,10 +8,10 @@
 #include <cstdio>
 
 #include "core/error.h"
-#include "reports/file.h"
+#include "core/file.h"
+#include "core/test_folder.h"
 #include "reports/json.h"
 #include "reports/sample_results.h"
-#include "reports/test_folder.h"
 
 namespace plumb {
 namespace {

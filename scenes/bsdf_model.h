@@ -14,11 +14,25 @@ namespace plumb {
 //   wo is given, wi is chosen; z > 0 is outside (the side of the exterior index), a closure handles both signs of wo.z;
 //   eval() is f(wo, wi)·|wi.z|, pdf() is per steradian of wi; both describe the smooth part only: mirrors and smooth
 //   interfaces speak through sample();
-//   a refracted sample's radiance scales by 1/eta² (Transport::radiance), importance does not (Transport::importance);
+//   a refracted sample's radiance scales by 1/eta² (Transport::radiance), importance does not (Transport::importance),
+//   so that eval(wo, wi, radiance)/|wi.z| = eval(wi, wo, importance)/|wo.z|;
+//   u[0] chooses the lobe, (u[1], u[2]) the direction in it: for a given lobe the map to wi is smooth but for cuts;
+//   ∫ pdf + discrete + lost = 1, where lost is the probability of an empty sample;
 //   everything is lane by lane in Spectrum; a closure is a small value of numbers (textures are resolved before).
 
 enum class Transport { radiance, importance };
 enum class Measure { solid_angle, discrete };
+
+/// The mirror image of wo at the plane z = 0, and at the plane that the unit vector m is normal to.
+constexpr Vec3 mirrored(Vec3 wo) {
+    return {-wo.x, -wo.y, wo.z};
+}
+constexpr Vec3 mirrored(Vec3 wo, Vec3 m) {
+    return 2 * dot(wo, m) * m - wo;
+}
+constexpr bool same_side(Vec3 a, Vec3 b) {
+    return a.z * b.z > 0;
+}
 
 struct BsdfSample {
     Vec3 wi;
@@ -35,9 +49,8 @@ concept BsdfModel = requires(const B& bsdf, Vec3 wo, Vec3 wi, const std::array<d
     { bsdf.pdf(wo, wi) } -> std::same_as<double>;
     /// Empty: nothing scatters (the sample is lost, and its estimate is 0).
     { bsdf.sample(wo, u, transport) } -> std::same_as<std::optional<BsdfSample>>;
-    /// The probability that sample(wo) takes a discrete lobe, and that it is empty: ∫pdf + discrete + lost = 1.
+    /// The probability that sample(wo) takes a discrete lobe.
     { bsdf.discrete(wo) } -> std::same_as<double>;
-    { bsdf.lost(wo) } -> std::same_as<double>;
 };
 
 }  // namespace plumb

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "core/image.h"
 #include "core/spectrum.h"
 #include "scenes/exact_sum.h"
-#include "scenes/image_file.h"
 #include "scenes/sensors/film_plane.h"
 
 namespace plumb {

@@ -59,7 +59,7 @@ TEST_F(Meshes, ObjErrorsNameLineAndValue) {
     EXPECT_EQ(says("v 0 0 0\nf 1/1 1/1 1/1\n"), "a.obj:2: a face's vt index is 1; there are 0 before it");
     EXPECT_EQ(says("v 0 1e99 0\n"), "a.obj:1: a coordinate of v is '1e99'; a finite number is accepted");
     EXPECT_EQ(says("v 0 0 0\n"), "a.obj:2: no faces");
-    EXPECT_EQ(message([&] { return read_obj(path_ / "b.obj"); }), "cannot read b.obj");
+    EXPECT_EQ(message([&] { return read_obj(path_ / "b.obj"); }), "b.obj: cannot be read: there is no such file");
 }
 
 const std::string header =

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/file.h"
 #include "scenes/text_cursor.h"
 
 namespace plumb {

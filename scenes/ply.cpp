@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/file.h"
 #include "scenes/text_cursor.h"
 
 namespace plumb {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/vec3.h"
+#include "scenes/ray.h"
 
 namespace plumb {
 
@@ -40,11 +41,7 @@ SurfacePoint disk_point(Vec3 position, Vec3 normal);
 /// the direction points. `extra` is a further uncertainty an axis, which the far end of a segment has.
 Vec3 ray_origin(const SurfacePoint& from, Vec3 direction, Vec3 extra = {});
 
-/// A ray, or a segment: origin + t direction, t in (0, t_max). All numbers are floats' values, as Embree will see them.
-struct Ray {
-    Vec3 origin, direction;
-    double t_max = HUGE_VAL;
-};
+// The numbers of the rays below are floats' values, as Embree will see them.
 
 /// From a point of a surface towards a direction of any length.
 Ray leave(const SurfacePoint& from, Vec3 direction);

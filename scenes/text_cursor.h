@@ -2,16 +2,12 @@
 
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <string_view>
 
 #include "core/error.h"
 
 namespace plumb {
-
-/// The whole file. Throws Error where it cannot be read.
-std::string read_file(const std::filesystem::path& file);
 
 /// Walks through a text of lines and words without copying, for formats of 10^7 numbers.
 class TextCursor {

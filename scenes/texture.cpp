@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/image.h"
+
 namespace plumb {
 
 using description::Checkerboard;
@@ -24,15 +26,38 @@ std::pair<std::int64_t, double> texel_before(double coordinate, int size) {
     return {static_cast<std::int64_t>(below), x - below};
 }
 
+float linear_from_srgb(float s) {
+    return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);  // [IEC 61966-2-1]
+}
+
 }  // namespace
 
-Spectrum bilinear(const Image& image, Wrap wrap, double u, double v) {
-    const auto [x, s] = texel_before(u, image.width);
-    const auto [y, t] = texel_before(v, image.height);
-    const int x0 = wrapped(x, image.width, wrap), x1 = wrapped(x + 1, image.width, wrap);
-    const int y0 = wrapped(y, image.height, wrap), y1 = wrapped(y + 1, image.height, wrap);
-    return (image.texel(x0, y0) * (1 - s) + image.texel(x1, y0) * s) * (1 - t) +
-           (image.texel(x0, y1) * (1 - s) + image.texel(x1, y1) * s) * t;
+Texels read_texels(const std::filesystem::path& file, bool raw) {
+    const Image image = read_image(file);
+    require_finite(image, file);
+    const std::size_t channels = image.channels.size();
+    Texels texels{image.width, image.height, {}};
+    texels.rgb.reserve(image.values.size() / channels * 3);
+    for (std::size_t at = 0; at < image.values.size(); at += channels) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float value = image.values[at + (channels >= 3 ? c : 0)];
+            if (value < 0) {
+                throw Error(
+                    fmt::format("{}: texel {} is {}; accepted are values from 0", file.string(), at / channels, value));
+            }
+            texels.rgb.push_back(image.of_integers && !raw ? linear_from_srgb(value) : value);
+        }
+    }
+    return texels;
+}
+
+Spectrum bilinear(const Texels& texels, Wrap wrap, double u, double v) {
+    const auto [x, s] = texel_before(u, texels.width);
+    const auto [y, t] = texel_before(v, texels.height);
+    const int x0 = wrapped(x, texels.width, wrap), x1 = wrapped(x + 1, texels.width, wrap);
+    const int y0 = wrapped(y, texels.height, wrap), y1 = wrapped(y + 1, texels.height, wrap);
+    return (texels.texel(x0, y0) * (1 - s) + texels.texel(x1, y0) * s) * (1 - t) +
+           (texels.texel(x0, y1) * (1 - s) + texels.texel(x1, y1) * s) * t;
 }
 
 TextureLookup::TextureLookup(const description::Texture& texture) : kind_(Checkerboard{}), to_uv_(texture.to_uv) {
@@ -42,7 +67,7 @@ TextureLookup::TextureLookup(const description::Texture& texture) : kind_(Checke
     }
     const auto& bitmap = std::get<description::Bitmap>(texture.kind);
     try {
-        kind_ = Picture{std::make_shared<const Image>(read_image(bitmap.file, bitmap.raw)), bitmap.wrap};
+        kind_ = Picture{std::make_shared<const Texels>(read_texels(bitmap.file, bitmap.raw)), bitmap.wrap};
     } catch (const Error& error) {
         throw texture.place.error(error.what());
     }
@@ -50,7 +75,8 @@ TextureLookup::TextureLookup(const description::Texture& texture) : kind_(Checke
 
 Spectrum TextureLookup::at(double u, double v) const {
     const Vec3 uv = to_uv_.point({u, v, 0});
-    if (const auto* picture = std::get_if<Picture>(&kind_)) return bilinear(*picture->image, picture->wrap, uv.x, uv.y);
+    if (const auto* picture = std::get_if<Picture>(&kind_))
+        return bilinear(*picture->texels, picture->wrap, uv.x, uv.y);
     const auto& board = std::get<Checkerboard>(kind_);
     const bool right = uv.x - std::floor(uv.x) >= 0.5, low = uv.y - std::floor(uv.y) >= 0.5;
     return right == low ? board.color0 : board.color1;

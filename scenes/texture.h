@@ -11,7 +11,7 @@
 namespace plumb {
 
 /// Linear RGB texels, row by row from the top. Greys are three equal numbers; alpha is dropped.
-struct Image {
+struct Texels {
     int width = 0, height = 0;
     std::vector<float> rgb;  ///< 3·width·height
 
@@ -24,10 +24,10 @@ struct Image {
 
 /// Any file that OpenImageIO decodes. Integer texels are taken as sRGB and made linear, unless raw; floats are taken as
 /// they are. Throws Error naming the file for what it cannot decode, and for texels that are NaN, infinite or negative.
-Image read_image(const std::filesystem::path& file, bool raw = false);
+Texels read_texels(const std::filesystem::path& file, bool raw = false);
 
 /// Bilinear between texel centers at ((i + 1/2)/width, (j + 1/2)/height); v = 0 is the top edge.
-Spectrum bilinear(const Image& image, description::Wrap wrap, double u, double v);
+Spectrum bilinear(const Texels& texels, description::Wrap wrap, double u, double v);
 
 /// A texture ready for lookups: a value; images are shared.
 class TextureLookup {
@@ -38,7 +38,7 @@ public:
 
 private:
     struct Picture {
-        std::shared_ptr<const Image> image;
+        std::shared_ptr<const Texels> texels;
         description::Wrap wrap;
     };
     std::variant<Picture, description::Checkerboard> kind_;

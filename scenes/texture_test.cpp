@@ -8,7 +8,7 @@ namespace {
 using Textures = testing_files::Folder;
 using description::Wrap;
 
-const Image four{2, 2, {1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4}};
+const Texels four{2, 2, {1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4}};
 
 TEST(Texture, IsItsTexelsAtTheirCenters) {
     EXPECT_DOUBLE_EQ(bilinear(four, Wrap::repeat, 0.25, 0.25)[0], 1);
@@ -35,8 +35,8 @@ TEST(Texture, CheckerboardHasSquaresOfSideOneHalf) {
 }
 
 TEST_F(Textures, IntegersAreSrgbUnlessRaw) {
-    const auto file = write("a.ppm", std::string("P6\n2 1\n255\n") + std::string("\xff\x80\x00\xff\xff\xff", 6));
-    const Image image = read_image(file), raw = read_image(file, true);
+    const auto file = write("a.ppm", std::string("P6\n2 1\n255\n\xff\x80\x00\xff\xff\xff", 17));
+    const Texels image = read_texels(file), raw = read_texels(file, true);
     ASSERT_EQ(image.width, 2);
     EXPECT_NEAR(raw.texel(0, 0)[1], 128 / 255.0, 1e-6);
     EXPECT_NEAR(image.texel(0, 0)[1], std::pow((128 / 255.0 + 0.055) / 1.055, 2.4), 1e-6);
@@ -46,9 +46,8 @@ TEST_F(Textures, IntegersAreSrgbUnlessRaw) {
 TEST_F(Textures, WhatCannotBeDecodedIsNamed) {
     const description::Texture texture{
         .kind = description::Bitmap{.file = write("a.png", "no image")}, .to_uv = {}, .place = {"scene.xml", 3}};
-    EXPECT_EQ(message([&] { return TextureLookup(texture).at(0, 0); }).substr(0, 33),
-              "scene.xml:3: cannot decode a.png:");
-    EXPECT_EQ(message([&] { return read_image(path_ / "b.png"); }).substr(0, 20), "cannot decode b.png:");
+    EXPECT_EQ(message([&] { return TextureLookup(texture).at(0, 0); }).substr(0, 19), "scene.xml:3: a.png:");
+    EXPECT_EQ(message([&] { return read_texels(path_ / "b.png"); }), "b.png: there is no such file");
 }
 
 }  // namespace

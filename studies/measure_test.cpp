@@ -2,10 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include "core/file.h"
 #include "core/parallel.h"
-#include "reports/file.h"
+#include "core/test_folder.h"
 #include "reports/study_files.h"
-#include "reports/test_folder.h"
 #include "studies/study_file.h"
 
 namespace plumb {

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "reports/test_folder.h"
+#include "core/test_folder.h"
 
 namespace plumb {
 namespace {

@@ -6,6 +6,7 @@
 #include "core/point.h"
 #include "core/vec3.h"
 #include "scenes/bsdf_model.h"
+#include "scenes/ray.h"
 
 namespace plumb {
 
@@ -19,10 +20,6 @@ namespace plumb {
 //   the scene, importance arrives from the lens as radiance arrives from a light, with densities per steradian there.
 //   A pinhole cannot be hit: Measure::discrete, pdf 1, and `importance` is that on a plane that faces it, W cos θ
 //   (lens area)/d² in the limit.
-
-struct Ray {
-    Vec3 origin, direction;
-};
 
 struct SensorSample {
     Point<2> film;   ///< where the ray through the lens point would start

@@ -34,6 +34,8 @@ Catalogue shipped_catalogue() {
     add_camera_claims(catalogue);
     add_film_claims(catalogue);
     add_surface_claims(catalogue);
+    add_bsdf_model_claims(catalogue);
+    add_bsdf_term_claims(catalogue);
     return catalogue;
 }
 

@@ -1,10 +1,10 @@
-#include "reports/file.h"
+#include "core/file.h"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 
-#include "reports/test_folder.h"
+#include "core/test_folder.h"
 
 namespace plumb {
 namespace {

@@ -1,4 +1,4 @@
-#include "verification/suites/light_subjects.h"
+#include "verification/suites/rendering/light_subjects.h"
 
 #include <boost/math/quadrature/gauss.hpp>
 

@@ -1,4 +1,4 @@
-#include "reports/file.h"
+#include "core/file.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -84,7 +84,7 @@ std::string read_file(const fs::path& file) {
     if (!stream || fs::is_directory(file))
         throw Error(fmt::format("{}: cannot be read: {}", file.string(),
                                 fs::exists(file) ? "not a readable file" : "there is no such file"));
-    return text.str();
+    return std::move(text).str();
 }
 
 }  // namespace plumb

@@ -5,8 +5,8 @@
 #include "scenes/warps.h"
 #include "verification/distribution.h"
 #include "verification/mean.h"
-#include "verification/suites/jacobian.h"
-#include "verification/suites/light_subjects.h"
+#include "verification/suites/rendering/jacobian.h"
+#include "verification/suites/rendering/light_subjects.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

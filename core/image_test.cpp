@@ -1,4 +1,4 @@
-#include "analytic/image.h"
+#include "core/image.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
@@ -39,7 +39,7 @@ protected:
 
     static std::string complaint(const fs::path& file) {
         try {
-            read_image(file);
+            require_finite(read_image(file), file);
         } catch (const Error& error) {
             EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
             return error.what();

@@ -1,4 +1,4 @@
-#include "analytic/image_reader.h"
+#include "core/image_module.h"
 
 #include <OpenImageIO/imageio.h>
 #include <fcntl.h>
@@ -44,13 +44,24 @@ std::string or_unknown(const std::string& error) {
     return error.empty() ? "of unknown format" : error;
 }
 
+void use_one_thread() {
+    // Threads of its own help nothing in one image, and ThreadSanitizer cannot see into them.
+    OIIO::attribute("threads", 1);
+    OIIO::attribute("exr_threads", -1);
+}
+
+std::map<std::string, std::string> text_attributes(const OIIO::ImageSpec& spec) {
+    std::map<std::string, std::string> texts;
+    for (const auto& attribute : spec.extra_attribs)
+        if (attribute.type() == OIIO::TypeString) texts[attribute.name().string()] = attribute.get_string();
+    return texts;
+}
+
 }  // namespace
 
 void plumb_decode_image(const char* file, plumb::Image* image, std::string* why) {
     const SilentStandardError silence;
-    // Threads of its own help nothing in one image, and ThreadSanitizer cannot see into them.
-    OIIO::attribute("threads", 1);
-    OIIO::attribute("exr_threads", -1);
+    use_one_thread();
     const auto input = OIIO::ImageInput::open(file);
     if (!input) {
         *why = or_unknown(OIIO::geterror());
@@ -59,9 +70,24 @@ void plumb_decode_image(const char* file, plumb::Image* image, std::string* why)
     const OIIO::ImageSpec& spec = input->spec();
     *why = objection(spec);
     if (!why->empty()) return;
-    *image = {spec.width, spec.height, spec.channelnames, {}};
+    *image = {spec.width, spec.height, spec.channelnames, {}, text_attributes(spec), !spec.format.is_floating_point()};
     image->values.resize(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
     const bool read = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image->values.data());
     // some readers fill what is missing and only complain
     if (!read || input->has_error()) *why = or_unknown(input->geterror());
+}
+
+void plumb_encode_image(const char* file, const plumb::Image* image, std::string* why) {
+    const SilentStandardError silence;
+    use_one_thread();
+    const auto output = OIIO::ImageOutput::create(file);
+    if (!output) {
+        *why = "no format has this extension: " + OIIO::geterror();
+        return;
+    }
+    OIIO::ImageSpec spec(image->width, image->height, static_cast<int>(image->channels.size()), OIIO::TypeDesc::FLOAT);
+    spec.channelnames = image->channels;
+    for (const auto& [name, value] : image->metadata) spec.attribute(name, value);
+    const bool written = output->open(file, spec) && output->write_image(OIIO::TypeDesc::FLOAT, image->values.data());
+    if (!output->close() || !written) *why = or_unknown(output->geterror());
 }

@@ -7,7 +7,7 @@
 #include "scenes/warps.h"
 #include "verification/distribution.h"
 #include "verification/mean.h"
-#include "verification/suites/jacobian.h"
+#include "verification/suites/rendering/jacobian.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

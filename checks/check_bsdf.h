@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "checks/bsdf_subject.h"
+#include "verification/run.h"
+#include "verification/verdict.h"
+
+namespace plumb::checks {
+
+/// What the checks must know of a model.
+struct BsdfTraits {
+    double roughness = 1;   ///< of its narrowest smooth lobe, as Beckmann's or Trowbridge's alpha; 1 for a diffuse one
+    double eta = 1;         ///< index inside over index outside, where it refracts
+    bool lossless = false;  ///< all that arrives from above leaves again
+};
+
+/// 25 directions: outside from the normal to half a degree above the surface, then inside likewise.
+std::vector<Vec3> check_directions();
+
+// Each holds, or is refuted, at every one of those directions. "Bounded" ones state their bound in the reason.
+
+/// Does sample() follow pdf()? One chi-square over all directions at once, in cells of about equal mass that follow the
+/// lobes; discrete and lost samples are cells.
+Verdict samples_follow_pdf(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
+/// pdf() is 1/Jacobian of sample() by differences, times the lobe's share of u[0]; where two smooth lobes overlap, at
+/// least that.
+Verdict pdf_is_inverse_jacobian(const BsdfSubject& bsdf);
+/// A smooth sample carries pdf = pdf() and weight = eval()/pdf(), a discrete one its share of u[0], in both transports.
+Verdict weight_is_eval_over_pdf(const BsdfSubject& bsdf, const Run& run);
+/// ∫ pdf and discrete() are the shares of [0,1)³ that sample() takes to smooth and discrete lobes; the rest is lost.
+Verdict masses_match(const BsdfSubject& bsdf, const BsdfTraits& traits);
+/// eval(wo, wi, radiance)/|wi.z| = eval(wi, wo, importance)/|wo.z|, and radiance obeys f/eta² reciprocity.
+Verdict is_reciprocal(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
+/// A sample's radiance weight is its importance weight divided by eta² of the sides, eta as the traits say.
+Verdict radiance_scales_by_eta_squared(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
+/// The albedo for importance is at most 1, and exactly 1 from above where the model is lossless; of a coloured model
+/// the largest lane counts at each direction. tolerance: of that equality.
+Verdict conserves_energy(const BsdfSubject& bsdf, const BsdfTraits& traits, double tolerance = 1e-3);
+
+struct NamedVerdict {
+    std::string property;
+    Verdict verdict;
+};
+std::vector<NamedVerdict> check_bsdf(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
+
+/// Everything above, for any type with eval, pdf and sample under the conventions of scenes/bsdf_model.h. A true model
+/// is refuted with probability at most 1e-4.
+template <class Model>
+std::vector<NamedVerdict> check_bsdf(const Model& model, const BsdfTraits& traits = {}, std::uint64_t seed = 1) {
+    return check_bsdf(subject_of(model), traits, Run(seed, "check_bsdf", 1e-4));
+}
+
+}  // namespace plumb::checks

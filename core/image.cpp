@@ -1,0 +1,74 @@
+#include "core/image.h"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/image_module.h"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Beside the program, where the build leaves it, in an installed program's ../lib, or where the system looks.
+void* loaded_module() {
+    std::error_code ignored;
+    const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+    const fs::path name = "libplumb_image_module.so";
+    for (const auto& path : {program / name, program / "../core" / name, program / "../lib" / name, name})
+        if (void* const module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) return module;
+    throw Error(fmt::format("images can be neither read nor written: {}", ::dlerror()));
+}
+
+template <class Function>
+Function function_of_module(const char* name) {
+    static void* const module = loaded_module();
+    return reinterpret_cast<Function>(::dlsym(module, name));
+}
+
+std::string in_one_line(std::string text) {
+    std::ranges::replace(text, '\n', ' ');
+    return text;
+}
+
+// The extension decides the format, so the name aside keeps it.
+fs::path aside(const fs::path& file) {
+    return file.parent_path() / (".part-" + file.filename().string());
+}
+
+}  // namespace
+
+Image read_image(const fs::path& file) {
+    if (!fs::exists(file)) throw Error(fmt::format("{}: there is no such file", file.string()));
+    Image image;
+    std::string why;
+    function_of_module<decltype(&plumb_decode_image)>("plumb_decode_image")(file.c_str(), &image, &why);
+    if (!why.empty()) throw Error(fmt::format("{}: not a readable image: {}", file.string(), in_one_line(why)));
+    return image;
+}
+
+void require_finite(const Image& image, const fs::path& file) {
+    const auto bad = std::ranges::find_if(image.values, [](float v) { return !std::isfinite(v); });
+    if (bad == image.values.end()) return;
+    const auto index = static_cast<std::size_t>(bad - image.values.begin()), channels = image.channels.size();
+    const std::size_t pixel = index / channels, width = static_cast<std::size_t>(image.width);
+    throw Error(fmt::format("{}: pixel ({}, {}), channel {} is {}; accepted are finite numbers", file.string(),
+                            pixel % width, pixel / width, image.channels[index % channels], *bad));
+}
+
+void write_image(const fs::path& file, const Image& image) {
+    const fs::path part = aside(file);
+    std::string why;
+    function_of_module<decltype(&plumb_encode_image)>("plumb_encode_image")(part.c_str(), &image, &why);
+    std::error_code failed;
+    if (why.empty()) fs::rename(part, file, failed);
+    if (why.empty() && !failed) return;
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    throw Error(fmt::format("{}: cannot be written: {}", file.string(), failed ? failed.message() : in_one_line(why)));
+}
+
+}  // namespace plumb

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace plumb {
+
+/// An image with named channels: rows from the top, each of `width` pixels, each of one number a channel. A decoded
+/// image has the file's numbers, integers of b bits divided by 2^b − 1; no colour transform is applied.
+struct Image {
+    int width = 0, height = 0;
+    std::vector<std::string> channels;  ///< names, e.g. R, G, B, A
+    std::vector<float> values;
+    std::map<std::string, std::string> metadata = {};  ///< attributes that are text
+    bool of_integers = false;                          ///< how the file stores its numbers: integers, or floats
+
+    [[nodiscard]] float at(int x, int y, std::size_t channel) const {
+        return values[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
+                          channels.size() +
+                      channel];
+    }
+};
+
+/// Decodes any format that OpenImageIO reads. Throws Error naming the file when there is none, when it is not an image,
+/// truncated, deep, of three dimensions or larger than 2^30 numbers.
+Image read_image(const std::filesystem::path& file);
+
+/// Throws Error naming the file and the first pixel and channel whose value is not finite.
+void require_finite(const Image& image, const std::filesystem::path& file);
+
+/// Encodes an image in the format of the file's extension, written aside and then renamed. EXR and TIFF keep floats,
+/// names and metadata; other formats keep what they can. Throws Error naming the file.
+void write_image(const std::filesystem::path& file, const Image& image);
+
+}  // namespace plumb

@@ -1,0 +1,52 @@
+#include "scenes/bsdfs/plastic.h"
+
+#include "scenes/bsdfs/fresnel.h"
+#include "scenes/warps.h"
+
+namespace plumb {
+
+Spectrum interreflected(const Spectrum& reflectance, double returned, bool nonlinear) {
+    Spectrum result;
+    for (std::size_t i = 0; i < 4; ++i) result[i] = reflectance[i] / (1 - (nonlinear ? reflectance[i] : 1) * returned);
+    return result;
+}
+
+Plastic::Plastic(const Spectrum& diffuse, double index, bool colours_each)
+    : diffuse_reflectance(diffuse),
+      eta(index),
+      nonlinear(colours_each),
+      base_(interreflected(diffuse, mean_fresnel_dielectric(1 / index), colours_each) / (index * index)),
+      mirror_share_(1 / (1 + largest(diffuse))) {}
+
+double Plastic::mirror_probability(double cos_o) const {
+    const double reflectance = fresnel_dielectric(cos_o, eta).reflectance;
+    const double mirror = reflectance * mirror_share_, base = (1 - reflectance) * (1 - mirror_share_);
+    return mirror / (mirror + base);
+}
+
+// Light enters and leaves through the coat: (1 − F(wo)) (1 − F(wi)) on its way to the base and back.
+Spectrum Plastic::eval(Vec3 wo, Vec3 wi, Transport) const {
+    if (!(wo.z > 0 && wi.z > 0)) return {};
+    const double passed =
+        (1 - fresnel_dielectric(wo.z, eta).reflectance) * (1 - fresnel_dielectric(wi.z, eta).reflectance);
+    return base_ * (passed * cosine_hemisphere_pdf(wi));
+}
+
+double Plastic::pdf(Vec3 wo, Vec3 wi) const {
+    return wo.z > 0 && wi.z > 0 ? (1 - mirror_probability(wo.z)) * cosine_hemisphere_pdf(wi) : 0;
+}
+
+std::optional<BsdfSample> Plastic::sample(Vec3 wo, const std::array<double, 3>& u, Transport transport) const {
+    if (!(wo.z > 0)) return {};
+    const double probability = mirror_probability(wo.z);
+    if (u[0] < probability) {
+        const double weight = fresnel_dielectric(wo.z, eta).reflectance / probability;
+        return BsdfSample{mirrored(wo), Spectrum::grey(weight), probability, Measure::discrete, 1, 0};
+    }
+    const Vec3 wi = sample_cosine_hemisphere({u[1], u[2]});
+    const double density = pdf(wo, wi);
+    if (!(density > 0)) return {};
+    return BsdfSample{wi, eval(wo, wi, transport) / density, density, Measure::solid_angle, 1, 1};
+}
+
+}  // namespace plumb

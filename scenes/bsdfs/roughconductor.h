@@ -1,0 +1,23 @@
+#pragma once
+
+#include "scenes/bsdf_model.h"
+#include "scenes/bsdfs/microfacet.h"
+
+namespace plumb {
+
+/// A rough metal [Cook & Torrance 1982; Walter et al. 2007]: facets that are smooth conductors, one scattering each.
+/// Samples visible normals; a sample whose direction falls below the surface is lost. Black below.
+struct RoughConductor {
+    Microfacets facets;
+    Spectrum eta, k = Spectrum::grey(1);
+    Spectrum reflectance = Spectrum::grey(1);
+
+    [[nodiscard]] Spectrum eval(Vec3 wo, Vec3 wi, Transport) const;
+    [[nodiscard]] double pdf(Vec3 wo, Vec3 wi) const;
+    [[nodiscard]] std::optional<BsdfSample> sample(Vec3 wo, const std::array<double, 3>& u, Transport) const;
+    [[nodiscard]] double discrete(Vec3) const { return 0; }
+};
+
+static_assert(BsdfModel<RoughConductor>);
+
+}  // namespace plumb

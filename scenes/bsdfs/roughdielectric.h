@@ -1,0 +1,23 @@
+#pragma once
+
+#include "scenes/bsdf_model.h"
+#include "scenes/bsdfs/microfacet.h"
+
+namespace plumb {
+
+/// A rough interface between two media [Walter et al. 2007]: facets that are smooth dielectrics, one scattering each.
+/// Samples a visible normal, then reflects or refracts at it by Fresnel's reflectance; a sample that ends on the wrong
+/// side is lost. eta must not be 1: without contrast nothing scatters, and the half vector of refraction has no length.
+struct RoughDielectric {
+    Microfacets facets;
+    double eta = 1.5;  ///< index inside over index outside
+
+    [[nodiscard]] Spectrum eval(Vec3 wo, Vec3 wi, Transport transport) const;
+    [[nodiscard]] double pdf(Vec3 wo, Vec3 wi) const;
+    [[nodiscard]] std::optional<BsdfSample> sample(Vec3 wo, const std::array<double, 3>& u, Transport transport) const;
+    [[nodiscard]] double discrete(Vec3) const { return 0; }
+};
+
+static_assert(BsdfModel<RoughDielectric>);
+
+}  // namespace plumb
