@@ -132,7 +132,14 @@ Verdict samples_follow_pdf(const BsdfSubject& bsdf, const BsdfTraits& traits, co
         const std::size_t i = random.below(directions.size());
         return first[i] + tables[i]->cell(bsdf.sample(directions[i], uniforms(random), Transport::importance));
     };
-    return distribution_is(draw, claim, run);
+    Verdict verdict = distribution_is(draw, claim, run);
+    for (auto& [name, value] : verdict.evidence) {
+        if (name != "worst_cell") continue;
+        const auto after = std::ranges::upper_bound(first, std::get<std::uint64_t>(value));
+        verdict.reason +=
+            fmt::format(", wo {}", name_of(directions[static_cast<std::size_t>(after - first.begin()) - 1]));
+    }
+    return verdict;
 }
 
 // ---- pdf() against sample()'s Jacobian
