@@ -3,20 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/rounding.h"
+
 namespace plumb {
 
 namespace {
-
-double rounded(double x) {
-    float narrow = static_cast<float>(x);
-    // GCC 12 drops double → float → double where it vectorizes several of them; this keeps the float.
-    asm("" : "+x"(narrow));
-    return narrow;
-}
-
-Vec3 rounded(Vec3 p) {
-    return {rounded(p.x), rounded(p.y), rounded(p.z)};
-}
 
 Vec3 absolute(Vec3 p) {
     return {std::abs(p.x), std::abs(p.y), std::abs(p.z)};
@@ -80,18 +71,18 @@ SurfacePoint disk_point(Vec3 position, Vec3 normal) {
 Vec3 ray_origin(const SurfacePoint& from, Vec3 direction, Vec3 extra) {
     const double side = dot(from.normal, direction) < 0 ? -1 : 1;
     const double off = dot(absolute(from.normal), float_rounding(from.inset) + extra) + from.margin;
-    return rounded(from.inset + from.normal * (side * off));
+    return rounded_to_float(from.inset + from.normal * (side * off));
 }
 
 Ray leave(const SurfacePoint& from, Vec3 direction) {
-    return {ray_origin(from, direction), rounded(direction), HUGE_VAL};
+    return {ray_origin(from, direction), rounded_to_float(direction), HUGE_VAL};
 }
 
 Ray connect(const SurfacePoint& from, const SurfacePoint& to) {
     const Vec3 between = to.inset - from.inset;
     const Vec3 origin = ray_origin(from, between);
     const Vec3 target = ray_origin(to, -between, float_rounding(between) * 2);
-    return {origin, rounded(target - origin), 1};
+    return {origin, rounded_to_float(target - origin), 1};
 }
 
 Ray connect_to_space(const SurfacePoint& from, Vec3 to) {
@@ -100,7 +91,7 @@ Ray connect_to_space(const SurfacePoint& from, Vec3 to) {
 }
 
 Ray rounded_ray(Vec3 origin, Vec3 direction, double t_max) {
-    return {rounded(origin), rounded(direction), t_max};
+    return {rounded_to_float(origin), rounded_to_float(direction), t_max};
 }
 
 }  // namespace plumb
