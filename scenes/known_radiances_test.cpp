@@ -5,6 +5,7 @@
 #include "analytic/irradiance.h"
 #include "scenes/embree_scene.h"
 #include "scenes/mitsuba_xml.h"
+#include "scenes/sensors/thin_lens.h"
 #include "scenes/shipped.h"
 #include "scenes/test_files.h"
 
@@ -67,6 +68,29 @@ TEST(KnownRadiances, ShowTheLightsThatTheCameraSees) {
         }
     }
     EXPECT_GE(checked, 20);
+}
+
+/// What the lens sees: the mean over a grid of its points, and of four by four points of a pixel.
+TEST(KnownRadiances, OfTheLensAreMeansOverIt) {
+    const Loaded loaded("lens_focus");
+    const Transform& to_world = loaded.scene.sensor->to_world;
+    const CameraPose pose{to_world.point({}), to_world.vector({-1, 0, 0}), to_world.vector({0, 1, 0}),
+                          to_world.vector({0, 0, 1})};
+    const ThinLens lens(pose, loaded.known.film, loaded.scene.sensor->fov_x, loaded.scene.sensor->aperture_radius,
+                        loaded.scene.sensor->focus_distance);
+    for (const KnownRadiance& known : loaded.known.radiances) {
+        const int side = known.over == KnownRadiance::Over::pixel ? 4 : 1, points = 256 / side;
+        Spectrum sum;
+        for (int i = 0; i < points * points * side * side; ++i) {
+            const int cell = i / (points * points), at = i % (points * points);
+            const Point<2> film = side == 1 ? known.film
+                                            : Point<2>{std::floor(known.film[0]) + (cell % side + 0.5) / side,
+                                                       std::floor(known.film[1]) + (cell / side + 0.5) / side};
+            sum += loaded.emission(lens.sample_ray(film, {(at % points + 0.5) / points, (at / points + 0.5) / points}));
+        }
+        // Of 256 by 256 cells an edge crosses a few hundred, each of which is wrong by a half at most, either way.
+        expect_equal(sum / (points * points * side * side), known, side == 1 ? 1e-3 : 1e-12, "lens_focus");
+    }
 }
 
 /// The irradiance at a point of a floor that faces up.
