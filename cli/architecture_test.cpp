@@ -16,14 +16,16 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"analytic", {"core", "analytic"}},
     {"estimators", {"core", "analytic", "estimators"}},
     {"scenes", {"core", "analytic", "estimators", "scenes"}},
+    {"integrators", {"core", "scenes", "estimators", "integrators"}},
     {"verification", {"core", "verification"}},
     {"checks", {"core", "scenes", "verification", "checks"}},
     {"verification/suites",
-     {"core", "analytic", "estimators", "scenes", "verification", "checks", "verification/suites"}},
+     {"core", "analytic", "estimators", "scenes", "integrators", "verification", "checks", "verification/suites"}},
     {"reports", {"core", "verification", "reports"}},
     {"studies", {"core", "analytic", "estimators", "verification", "reports", "studies"}},
     {"cli",
-     {"core", "analytic", "estimators", "scenes", "verification", "verification/suites", "reports", "studies", "cli"}},
+     {"core", "analytic", "estimators", "scenes", "integrators", "verification", "verification/suites", "reports",
+      "studies", "cli"}},
 };
 
 std::string folder_of(const std::string& path) {

@@ -24,6 +24,7 @@ int list(const ListOptions& options, const Lists& lists);
 int converge(const ConvergeOptions& options);
 int study(const StudyOptions& options);
 int study_calibration(const StudyOptions& options);  ///< the study of that name: what a verdict costs
+int render(const RenderOptions& options);
 int integrate(const IntegrateOptions& options);
 int weights(const WeightsOptions& options);
 int report(const ReportOptions& options);

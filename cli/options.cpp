@@ -200,6 +200,31 @@ void add_weights(CLI::App& app, WeightsOptions& options) {
     verb->footer("Example: plumb weights points.csv --periodic -o weights.csv");
 }
 
+void add_render(CLI::App& app, RenderOptions& options, std::vector<std::string>& definitions) {
+    CLI::App* verb = app.add_subcommand("render", "Render a scene to an image with its variance");
+    verb->add_option("scene", options.scene, "a scene in Mitsuba's XML, or the name of a shipped one")->required();
+    verb->add_option("--integrator", options.integrator, "see plumb list integrators")->capture_default_str();
+    verb->add_option("--sampler", options.sampler, "independent, stratified or sobol")->capture_default_str();
+    CLI::Option* spp = verb->add_option("--spp", options.samples_per_pixel, "samples a pixel")
+                           ->check(CLI::Range(1u, 1u << 24))
+                           ->capture_default_str();
+    verb->add_option_function<std::string>(
+            "--time", [&](const std::string& text) { options.time = parse_duration(text); },
+            "instead of --spp: as many passes of 4 samples as fit, e.g. 30s")
+        ->check(checked(parse_duration))
+        ->excludes(spp);
+    verb->add_option_function<std::string>(
+            "--crop", [&](const std::string& text) { options.crop = parse_crop(text); },
+            "only these pixels: x,y,width,height")
+        ->check(checked(parse_crop));
+    verb->add_option("-D", definitions, "name=value for $name in the file")->check(checked(parse_definition));
+    verb->add_flag("--lenient", options.lenient, "replace what Plumb lacks where it can, and list it");
+    add_seed_and_threads(verb, options.seed, options.threads);
+    verb->add_option("-o,--output", options.out,
+                     "the image, in a format that OpenImageIO writes; EXR and TIFF keep all layers [out/SCENE.exr]");
+    verb->footer("Example: plumb render cornell_box --sampler sobol --spp 64 -o cornell.exr");
+}
+
 void add_report(CLI::App& app, ReportOptions& options) {
     CLI::App* verb = app.add_subcommand("report", "Rebuild the report of a stored run");
     verb->add_option("--run", options.run, "the run's number; the newest when not given");
@@ -238,7 +263,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc,
             if (typed.starts_with("--") && std::ranges::find(options, typed) == options.end())
                 return unknown_name("option", typed, options).what();
         }
-    if (dynamic_cast<const CLI::ExcludesError*>(&error))
+    if (dynamic_cast<const CLI::ExcludesError*>(&error) && verb->get_name() == "verify")
         return fmt::format("{}: a resumed run keeps the patterns, seed, alpha, size and shard that it began with",
                            error.what());
     if (dynamic_cast<const CLI::RequiresError*>(&error))
@@ -288,6 +313,27 @@ std::vector<double> parse_domain(const std::string& text) {
     return ends;
 }
 
+std::vector<int> parse_crop(const std::string& text) {
+    std::vector<int> numbers;
+    const char *at = text.data(), *const end = at + text.size();
+    for (bool comma = true; comma && numbers.size() < 4;) {
+        const auto [next, failure] = std::from_chars(at, end, numbers.emplace_back());
+        if (failure != std::errc()) break;
+        comma = next != end && *next == ',' && numbers.size() < 4;
+        at = next + (comma ? 1 : 0);
+    }
+    const bool good = numbers.size() == 4 && at == end && numbers[2] > 0 && numbers[3] > 0;
+    if (!good) throw Error(fmt::format("'{}' is not a crop; accepted: x,y,width,height in pixels", text));
+    return numbers;
+}
+
+std::pair<std::string, std::string> parse_definition(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals == std::string::npos)
+        throw Error(fmt::format("'{}' is not a definition; accepted: name=value", text));
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
 Shard parse_shard(const std::string& text) {
     constexpr int most = 10'000;
     Shard shard;
@@ -313,6 +359,8 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     std::string counts = "16..4096";
     IntegrateOptions integrate;
     WeightsOptions weights;
+    RenderOptions render;
+    std::vector<std::string> definitions;
     StudyOptions study;
     ReportOptions report;
     MergeOptions merge;
@@ -320,6 +368,7 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     add_list(app, list, verbs);
     if (verbs == VerbSet::shipped) {
         add_converge(app, converge, counts);
+        add_render(app, render, definitions);
         add_integrate(app, integrate);
         add_weights(app, weights);
         add_study(app, study);
@@ -339,6 +388,8 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     if (app.got_subcommand("list")) return list;
     if (app.got_subcommand("report")) return report;
     if (app.got_subcommand("study")) return study;
+    for (const std::string& text : definitions) render.definitions.insert(parse_definition(text));
+    if (app.got_subcommand("render")) return render;
     if (app.got_subcommand("integrate")) return integrate;
     if (app.got_subcommand("weights")) return weights;
     if (app.got_subcommand("merge")) return merge;

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -84,6 +85,19 @@ struct WeightsOptions {
     std::vector<double> domain;  ///< as above
 };
 
+struct RenderOptions {
+    std::string scene;  ///< a file, or the name of a shipped one
+    std::string integrator = "direct", sampler = "independent";
+    std::uint32_t samples_per_pixel = 64;
+    std::optional<std::chrono::duration<double>> time;  ///< instead
+    std::vector<int> crop;                              ///< x, y, width, height; empty: the whole film
+    std::map<std::string, std::string> definitions;     ///< of $name in the file
+    bool lenient = false;
+    std::optional<std::uint64_t> seed;
+    int threads = 0;
+    std::string out;  ///< empty: out/SCENE.exr
+};
+
 struct ReportOptions {
     std::string store = "out/results.db", report = "out/report.html";
     std::optional<std::int64_t> run, against;  ///< run: empty for the newest
@@ -95,8 +109,8 @@ struct Answered {
     int exit_code = 0;
 };
 
-using Options = std::variant<Answered, VerifyOptions, ListOptions, ConvergeOptions, IntegrateOptions, WeightsOptions,
-                             StudyOptions, ReportOptions, MergeOptions>;
+using Options = std::variant<Answered, VerifyOptions, RenderOptions, ListOptions, ConvergeOptions, IntegrateOptions,
+                             WeightsOptions, StudyOptions, ReportOptions, MergeOptions>;
 
 /// The verbs that need nothing but a catalogue, or all those of the program that Plumb ships.
 enum class VerbSet { of_a_catalogue, shipped };
@@ -111,6 +125,10 @@ Shard parse_shard(const std::string& text);
 
 /// "1e-3" (absolute) or "1%" (relative); throws Error.
 ErrorTarget parse_error_target(const std::string& text);
+/// "x,y,width,height" in pixels; throws Error.
+std::vector<int> parse_crop(const std::string& text);
+/// "name=value"; throws Error.
+std::pair<std::string, std::string> parse_definition(const std::string& text);
 /// "0,1" or "0,2,-1,1": both ends of each axis; throws Error.
 std::vector<double> parse_domain(const std::string& text);
 

@@ -19,6 +19,11 @@ struct Slot {
     friend auto operator<=>(const Slot&, const Slot&) = default;
 };
 
+/// A number for each slot, as the index of a RandomStream.
+constexpr std::uint64_t slot_index(Slot slot) {
+    return static_cast<std::uint64_t>(slot.vertex) << 8 | static_cast<std::uint8_t>(slot.use);
+}
+
 /// u in [0,1)² and the density it was drawn with there: 1 unless guided.
 struct Drawn {
     std::array<double, 2> u;
@@ -47,11 +52,12 @@ struct PrimarySamples {
 /// Independent uniform numbers: a pure function of the key and the slot.
 class IndependentSamples final : public PrimarySamples {
 public:
-    explicit IndependentSamples(const PathKey& key) : key_(key) {}
+    explicit IndependentSamples(const PathKey& key = {}) : key_(key) {}
+    /// The path whose numbers at() gives from now on.
+    void start(const PathKey& key) { key_ = key; }
     Drawn at(Slot slot) override {
         const std::uint64_t path = static_cast<std::uint64_t>(key_.pixel) << 32 | key_.sample;
-        const std::uint64_t index = static_cast<std::uint64_t>(slot.vertex) << 8 | static_cast<std::uint8_t>(slot.use);
-        RandomStream random(key_.seed, path, index);
+        RandomStream random(key_.seed, path, slot_index(slot));
         return {{random.uniform(), random.uniform()}};
     }
 

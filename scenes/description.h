@@ -122,7 +122,7 @@ struct Disk {
 
 /// Emits this radiance from its outside.
 struct AreaEmitter {
-    Colour radiance = Spectrum::grey(1);
+    Spectrum radiance = Spectrum::grey(1);
     Place place;
 };
 
@@ -194,6 +194,7 @@ struct Scene {
     std::vector<Emitter> emitters;
     std::optional<Sensor> sensor;  ///< the first one of the file
     std::vector<Note> notes;
+    std::uint64_t content_hash = 0;  ///< of the text after includes and $names, and of every file that it names
 };
 
 }  // namespace plumb::description

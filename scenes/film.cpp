@@ -91,6 +91,18 @@ void FilmPass::merge(const FilmPass& other) {
     bad_.merge(other.bad_);
 }
 
+void FilmPass::merge_at(int x, int y, const FilmPass& part) {
+    require_same_channels(channels_, part.channels_);
+    for (int j = 0; j < part.size_.height; ++j)
+        for (int i = 0; i < part.size_.width; ++i) {
+            const std::size_t to = pixel(x + i, y + j), from = part.pixel(i, j);
+            samples_[to] += part.samples_[from];
+            for (std::size_t c = 0; c < channels_; ++c)
+                sums_[to * channels_ + c].merge(part.sums_[from * channels_ + c]);
+        }
+    bad_.merge(part.bad_);
+}
+
 double FilmPass::mean(int x, int y, std::size_t channel) const {
     const std::size_t place = pixel(x, y);
     return samples_[place] == 0 ? 0 : sums_[place * channels_ + channel].value() / static_cast<double>(samples_[place]);

@@ -36,6 +36,8 @@ public:
     void add(int x, int y, std::span<const Spectrum> values);
     /// Samples that other threads or shards took for the same replicate.
     void merge(const FilmPass& other);
+    /// A part of the image, its upper left corner at pixel (x, y).
+    void merge_at(int x, int y, const FilmPass& part);
 
     [[nodiscard]] std::uint64_t samples(int x, int y) const { return samples_[pixel(x, y)]; }
     [[nodiscard]] double mean(int x, int y, std::size_t channel) const;

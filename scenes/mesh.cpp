@@ -32,6 +32,14 @@ void add_quad(Mesh& mesh, Vec3 corner, Vec3 along_u, Vec3 along_v) {
 
 }  // namespace
 
+bool Mesh::turned_by_normals(std::uint32_t triangle) const {
+    if (normals.empty()) return false;
+    const auto [a, b, c] = corners(triangle);
+    Vec3 sum;
+    for (const std::uint32_t vertex : triangles[triangle]) sum += widened(normals[vertex]);
+    return dot(cross(b - a, c - a), sum) < 0;
+}
+
 Mesh transformed(Mesh mesh, const Transform& transform) {
     for (auto& p : mesh.positions) p = rounded(transform.point(widened(p)));
     for (auto& n : mesh.normals) {

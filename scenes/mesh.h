@@ -9,7 +9,7 @@
 namespace plumb {
 
 /// Triangles in single precision: the floats are the geometry, for Embree as for everything computed from them in
-/// double. A triangle's outside is where its vertices turn counterclockwise.
+/// double. A triangle's outside is where its vertices turn counterclockwise, unless its normals say otherwise.
 struct Mesh {
     std::vector<std::array<float, 3>> positions;
     std::vector<std::array<float, 3>> normals;  ///< unit shading normals, one a vertex, or empty
@@ -20,6 +20,13 @@ struct Mesh {
         const auto& p = positions[vertex];
         return {p[0], p[1], p[2]};
     }
+    [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t triangle) const {
+        const auto& [i, j, k] = triangles[triangle];
+        return {position(i), position(j), position(k)};
+    }
+    /// Whether the vertices' normals point, in sum, to the side from which the vertices turn clockwise: then that side
+    /// is the triangle's outside.
+    [[nodiscard]] bool turned_by_normals(std::uint32_t triangle) const;
 };
 
 /// The mesh in another space, rounded once. A mirroring transform turns the vertices' order, so that outside stays.

@@ -21,7 +21,8 @@ struct Loader {
     std::map<std::string, const XmlElement*> named = {};  ///< elements of the root by their id
     std::map<const XmlElement*, description::MaterialId> materials = {};
     std::map<const XmlElement*, description::TextureId> textures = {};
-    std::set<const XmlElement*> open = {};  ///< materials being loaded: a ref to one of them is a cycle
+    std::set<std::filesystem::path> files = {};  ///< named by what was loaded
+    std::set<const XmlElement*> open = {};       ///< materials being loaded: a ref to one of them is a cycle
 
     /// The element itself, or the one that a <ref id="…"/> names.
     const XmlElement& resolve(const XmlElement& element) const;

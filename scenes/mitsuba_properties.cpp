@@ -199,6 +199,7 @@ std::filesystem::path Properties::file(const std::string& name) {
         std::filesystem::path(value->place.file).parent_path() / value->attribute("value");
     if (!std::filesystem::is_regular_file(path))
         throw value->place.error(fmt::format("there is no file {}", path.string()));
+    loader_.files.insert(path);
     return path;
 }
 

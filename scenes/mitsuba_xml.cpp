@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/file.h"
+#include "core/random.h"
 #include "scenes/mitsuba_loader.h"
 
 namespace plumb {
@@ -100,6 +102,21 @@ void load_element(const XmlElement& element, Loader& loader) {
     }
 }
 
+void append_text(const XmlElement& element, std::string& text) {
+    text += '<' + element.tag;
+    for (const auto& [name, value] : element.attributes) text += ' ' + name + '=' + value;
+    for (const XmlElement& child : element.children) append_text(child, text);
+    text += '>';
+}
+
+// Where the files lie does not matter, only what is in them.
+std::uint64_t content_hash(const XmlElement& root, const Loader& loader) {
+    std::string text;
+    append_text(root, text);
+    for (const auto& file : loader.files) text += fmt::format(" {:x}", stream_id(read_file(file)));
+    return stream_id(text);
+}
+
 }  // namespace
 
 }  // namespace mitsuba
@@ -109,6 +126,7 @@ description::Scene load_mitsuba(const std::filesystem::path& file, const LoadOpt
     mitsuba::Loader loader{.options = options};
     mitsuba::index_ids(root, loader);
     for (const XmlElement& element : root.children) mitsuba::load_element(element, loader);
+    loader.scene.content_hash = mitsuba::content_hash(root, loader);
     return std::move(loader.scene);
 }
 

@@ -15,7 +15,7 @@ struct Hit {
     std::uint32_t primitive = 0;          ///< triangle of a mesh, else 0
     double t = 0;                         ///< along the ray's direction
     std::array<double, 2> barycentric{};  ///< (u, v) of a triangle: v0 (1−u−v) + v1 u + v2 v
-    SurfacePoint point;                   ///< the geometric normal is on the shading normal's side
+    SurfacePoint point;                   ///< its normal points outside
     Vec3 shading_normal;                  ///< unit, interpolated where the mesh has normals
     std::array<double, 2> uv{};           ///< surface parameters for textures
 };

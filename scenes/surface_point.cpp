@@ -94,6 +94,11 @@ Ray connect(const SurfacePoint& from, const SurfacePoint& to) {
     return {origin, rounded(target - origin), 1};
 }
 
+Ray connect_to_space(const SurfacePoint& from, Vec3 to) {
+    const Vec3 origin = ray_origin(from, to - from.inset);
+    return {origin, rounded(to - origin), 1};
+}
+
 Ray rounded_ray(Vec3 origin, Vec3 direction, double t_max) {
     return {rounded(origin), rounded(direction), t_max};
 }

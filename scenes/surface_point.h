@@ -47,6 +47,8 @@ Vec3 ray_origin(const SurfacePoint& from, Vec3 direction, Vec3 extra = {});
 Ray leave(const SurfacePoint& from, Vec3 direction);
 /// The open segment between two points of surfaces: neither surface lies on it where they see each other.
 Ray connect(const SurfacePoint& from, const SurfacePoint& to);
+/// The open segment from a point of a surface to a point in space, which is on no surface.
+Ray connect_to_space(const SurfacePoint& from, Vec3 to);
 /// From anywhere in space, as a camera's: rounded to floats.
 Ray rounded_ray(Vec3 origin, Vec3 direction, double t_max = HUGE_VAL);
 

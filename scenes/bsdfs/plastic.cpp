@@ -1,6 +1,5 @@
 #include "scenes/bsdfs/plastic.h"
 
-#include "scenes/bsdfs/fresnel.h"
 #include "scenes/warps.h"
 
 namespace plumb {
@@ -11,11 +10,10 @@ Spectrum interreflected(const Spectrum& reflectance, double returned, bool nonli
     return result;
 }
 
-Plastic::Plastic(const Spectrum& diffuse, double index, bool colours_each)
+Plastic::Plastic(const Spectrum& diffuse, const SmoothCoat& coat, bool nonlinear)
     : diffuse_reflectance(diffuse),
-      eta(index),
-      nonlinear(colours_each),
-      base_(interreflected(diffuse, mean_fresnel_dielectric(1 / index), colours_each) / (index * index)),
+      eta(coat.eta),
+      base_(interreflected(diffuse, coat.returned, nonlinear) / (coat.eta * coat.eta)),
       mirror_share_(1 / (1 + largest(diffuse))) {}
 
 double Plastic::mirror_probability(double cos_o) const {
@@ -41,7 +39,7 @@ std::optional<BsdfSample> Plastic::sample(Vec3 wo, const std::array<double, 3>& 
     const double probability = mirror_probability(wo.z);
     if (u[0] < probability) {
         const double weight = fresnel_dielectric(wo.z, eta).reflectance / probability;
-        return BsdfSample{mirrored(wo), Spectrum::grey(weight), probability, Measure::discrete, 1, 0};
+        return BsdfSample{mirrored(wo), specular_reflectance * weight, probability, Measure::discrete, 1, 0};
     }
     const Vec3 wi = sample_cosine_hemisphere({u[1], u[2]});
     const double density = pdf(wo, wi);

@@ -1,17 +1,26 @@
 #pragma once
 
 #include "scenes/bsdf_model.h"
+#include "scenes/bsdfs/fresnel.h"
 
 namespace plumb {
+
+/// A smooth coat and what it sends back of a diffuse base's light; one a material.
+struct SmoothCoat {
+    explicit SmoothCoat(double index) : eta(index), returned(mean_fresnel_dielectric(1 / index)) {}
+    double eta;       ///< its index over that outside, > 1
+    double returned;  ///< the share of the base's light that it reflects back
+};
 
 /// A diffuse base under a smooth dielectric coat, with all the light that the coat throws back onto the base
 /// [Mitsuba's plastic]. Black below.
 struct Plastic {
-    Plastic(const Spectrum& diffuse_reflectance, double eta, bool nonlinear);
+    /// nonlinear: the base colours each of its reflections, not only the first.
+    Plastic(const Spectrum& diffuse_reflectance, const SmoothCoat& coat, bool nonlinear);
 
     Spectrum diffuse_reflectance;
-    double eta;      ///< index of the coat over that outside, > 1
-    bool nonlinear;  ///< the base colours each of its reflections, not only the first
+    Spectrum specular_reflectance = Spectrum::grey(1);  ///< a factor of no physics
+    double eta;
 
     [[nodiscard]] Spectrum eval(Vec3 wo, Vec3 wi, Transport) const;
     [[nodiscard]] double pdf(Vec3 wo, Vec3 wi) const;

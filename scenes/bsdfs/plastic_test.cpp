@@ -8,7 +8,7 @@ namespace plumb {
 namespace {
 
 TEST(Plastic, OfAWhiteBaseLosesNothing) {
-    const Plastic bsdf(Spectrum::grey(1), 1.5, true);
+    const Plastic bsdf(Spectrum::grey(1), SmoothCoat(1.5), true);
     const Vec3 wo{0.6, 0, 0.8};
     const double mirror = bsdf.discrete(wo);
     double albedo = mirror * bsdf.sample(wo, {mirror / 2, 0.5, 0.5}, Transport::radiance)->weight[0];
@@ -24,7 +24,7 @@ TEST(Plastic, ColoursMoreWhenNonlinear) {
     const Vec3 up{0, 0, 1};
     const Spectrum green = Spectrum::rgb(0.1, 0.8, 0.1);
     const auto ratio = [&](bool nonlinear) {
-        const Spectrum f = Plastic(green, 1.5, nonlinear).eval(up, up, Transport::radiance);
+        const Spectrum f = Plastic(green, SmoothCoat(1.5), nonlinear).eval(up, up, Transport::radiance);
         return f[1] / f[0];
     };
     EXPECT_DOUBLE_EQ(ratio(false), 8);

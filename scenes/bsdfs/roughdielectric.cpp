@@ -48,8 +48,9 @@ Spectrum RoughDielectric::eval(Vec3 wo, Vec3 wi, Transport transport) const {
     if (wo.z < 0) wi = {wi.x, wi.y, -wi.z}, wo = {wo.x, wo.y, -wo.z};
     const Facet facet = facet_between(wo, wi, across);
     if (!sees(facet, wi)) return {};
-    return Spectrum::grey(chance(facet, wi) * facets.visible_pdf(wo, facet.m) * facet.half_jacobian *
-                          facets.g1(wi, facet.m) * radiance_scale(wi, across, transport));
+    return (wi.z > 0 ? reflectance : transmittance) *
+           (chance(facet, wi) * facets.visible_pdf(wo, facet.m) * facet.half_jacobian * facets.g1(wi, facet.m) *
+            radiance_scale(wi, across, transport));
 }
 
 double RoughDielectric::pdf(Vec3 wo, Vec3 wi) const {
@@ -66,17 +67,18 @@ std::optional<BsdfSample> RoughDielectric::sample(Vec3 wo, const std::array<doub
     wo.z *= side;
     const Vec3 m = facets.sample_visible(wo, {u[1], u[2]});
     const double cosine = dot(wo, m);
-    const auto [reflectance, cos_t] = fresnel_dielectric(cosine, across);
-    const bool reflects = u[0] < reflectance;
+    const auto [fresnel, cos_t] = fresnel_dielectric(cosine, across);
+    const bool reflects = u[0] < fresnel;
     const Vec3 wi = reflects ? mirrored(wo, m) : (cosine / across - cos_t) * m - wo / across;
     const Facet facet = facet_between(wo, wi, m, across);
     if (!((reflects ? wi.z > 0 : wi.z < 0) && sees(facet, wi))) return {};
-    return BsdfSample{{wi.x, wi.y, wi.z * side},
-                      Spectrum::grey(facets.g1(wi, m) * radiance_scale(wi, across, transport)),
-                      chance(facet, wi) * facets.visible_pdf(wo, m) * facet.half_jacobian,
-                      Measure::solid_angle,
-                      reflects ? 1 : across,
-                      facets.alpha};
+    return BsdfSample{
+        {wi.x, wi.y, wi.z * side},
+        (reflects ? reflectance : transmittance) * (facets.g1(wi, m) * radiance_scale(wi, across, transport)),
+        chance(facet, wi) * facets.visible_pdf(wo, m) * facet.half_jacobian,
+        Measure::solid_angle,
+        reflects ? 1 : across,
+        facets.alpha};
 }
 
 }  // namespace plumb

@@ -10,7 +10,8 @@ namespace plumb {
 /// side is lost. eta must not be 1: without contrast nothing scatters, and the half vector of refraction has no length.
 struct RoughDielectric {
     Microfacets facets;
-    double eta = 1.5;  ///< index inside over index outside
+    double eta = 1.5;                                                             ///< index inside over index outside
+    Spectrum reflectance = Spectrum::grey(1), transmittance = Spectrum::grey(1);  ///< factors of no physics
 
     [[nodiscard]] Spectrum eval(Vec3 wo, Vec3 wi, Transport transport) const;
     [[nodiscard]] double pdf(Vec3 wo, Vec3 wi) const;

@@ -7,7 +7,8 @@
 namespace plumb {
 
 RoughPlastic::RoughPlastic(const Spectrum& diffuse, const RoughTransmittance& coat, bool nonlinear)
-    : coat_(&coat),
+    : diffuse_reflectance(diffuse),
+      coat_(&coat),
       base_(interreflected(diffuse, coat.returned(), nonlinear) / (coat.eta() * coat.eta())),
       coat_share_(1 / (1 + largest(diffuse))) {}
 
@@ -22,7 +23,7 @@ Spectrum RoughPlastic::eval(Vec3 wo, Vec3 wi, Transport) const {
     const Vec3 m = normalize(wo + wi);
     const double mirror = fresnel_dielectric(dot(wo, m), coat_->eta()).reflectance * coat_->facets().d(m) *
                           coat_->facets().g2(wo, wi, m) / (4 * wo.z);
-    return Spectrum::grey(mirror) + base_ * (coat_->at(wo.z) * coat_->at(wi.z) * cosine_hemisphere_pdf(wi));
+    return specular_reflectance * mirror + base_ * (coat_->at(wo.z) * coat_->at(wi.z) * cosine_hemisphere_pdf(wi));
 }
 
 double RoughPlastic::pdf(Vec3 wo, Vec3 wi) const {

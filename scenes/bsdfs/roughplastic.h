@@ -8,10 +8,12 @@ namespace plumb {
 /// A diffuse base under a rough dielectric coat, with all the light that the coat throws back onto the base
 /// [Mitsuba's roughplastic]. The coat lets in what it does not reflect, so that a white base loses nothing but its
 /// table's error, some 1e-3. Black below.
-class RoughPlastic {
-public:
+struct RoughPlastic {
     /// The coat's table outlives the closure: one a material.
     RoughPlastic(const Spectrum& diffuse_reflectance, const RoughTransmittance& coat, bool nonlinear);
+
+    Spectrum diffuse_reflectance;
+    Spectrum specular_reflectance = Spectrum::grey(1);  ///< a factor of no physics
 
     [[nodiscard]] Spectrum eval(Vec3 wo, Vec3 wi, Transport) const;
     [[nodiscard]] double pdf(Vec3 wo, Vec3 wi) const;

@@ -18,14 +18,15 @@ public:
     [[nodiscard]] std::optional<EmitterSample> sample(Vec3 from, const Point<2>& u) const {
         const Point<2> p = sample_concentric_disk(u);
         const Vec3 point = centre_ + frame_.to_world({radius_ * p[0], radius_ * p[1], 0});
-        return sample_towards(from, point, frame_.z, radiance_, 1 / area());
+        return sample_towards(from, disk_point(point, frame_.z), radiance_, pdf_area());
     }
     [[nodiscard]] std::optional<EmitterHit> hit(Vec3 from, Vec3 direction) const {
         const auto plane = meet_plane(from, direction, centre_, frame_.z);
         if (!plane) return {};
         if (length_squared(from + direction * plane->distance - centre_) > radius_ * radius_) return {};
-        return EmitterHit{plane->distance, radiance_, per_steradian(1 / area(), plane->distance, plane->cos_at_light)};
+        return EmitterHit{plane->distance, radiance_, per_steradian(pdf_area(), plane->distance, plane->cos_at_light)};
     }
+    [[nodiscard]] double pdf_area() const { return 1 / area(); }
     [[nodiscard]] Spectrum power(double) const { return lambertian_power(radiance_, area()); }
 
 private:

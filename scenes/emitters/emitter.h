@@ -8,6 +8,7 @@
 #include "core/spectrum.h"
 #include "core/vec3.h"
 #include "scenes/bsdf_model.h"
+#include "scenes/surface_point.h"
 
 namespace plumb {
 
@@ -25,6 +26,7 @@ struct EmitterSample {
     Spectrum radiance;
     double pdf = 0;
     Measure measure = Measure::solid_angle;
+    std::optional<SurfacePoint> surface = {};  ///< where a shadow ray ends; empty for environments and points
 };
 
 /// What a ray from `from` meets of the light.

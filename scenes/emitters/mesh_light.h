@@ -28,7 +28,7 @@ public:
         const std::size_t i = std::min(static_cast<std::size_t>(place), triangles_.size() - 1);
         const auto [b1, b2] = sample_uniform_triangle({place - static_cast<double>(i), u[1]});
         const auto& [a, b, c] = triangles_[i];
-        return sample_towards(from, a + b1 * (b - a) + b2 * (c - a), normal_of(triangles_[i]), radiance_, pdf_area());
+        return sample_towards(from, triangle_point({a, b, c}, b1, b2), radiance_, pdf_area());
     }
     /// Looks at every triangle: for claims and small lights; a scene's ray caster knows the triangle it met, and gets
     /// the density from pdf_area() and per_steradian().
@@ -53,7 +53,6 @@ private:
                                     triangles.size(), sum));
         return areas;
     }
-    static Vec3 normal_of(const Triangle& t) { return normalize(cross(t.b - t.a, t.c - t.a)); }
 
     [[nodiscard]] std::optional<EmitterHit> hit_one(const Triangle& t, Vec3 from, Vec3 direction) const {
         const Vec3 product = cross(t.b - t.a, t.c - t.a);

@@ -19,7 +19,8 @@ public:
     }
 
     [[nodiscard]] std::optional<EmitterSample> sample(Vec3 from, const Point<2>& u) const {
-        return sample_towards(from, corner_ + u[0] * edge_1_ + u[1] * edge_2_, normal_, radiance_, 1 / area_);
+        return sample_towards(from, disk_point(corner_ + u[0] * edge_1_ + u[1] * edge_2_, normal_), radiance_,
+                              pdf_area());
     }
     [[nodiscard]] std::optional<EmitterHit> hit(Vec3 from, Vec3 direction) const {
         const auto plane = meet_plane(from, direction, corner_, normal_);
@@ -27,8 +28,9 @@ public:
         const Vec3 p = from + direction * plane->distance - corner_;
         const double s = dot(cross(p, edge_2_), normal_) / area_, t = dot(cross(edge_1_, p), normal_) / area_;
         if (!(0 <= s && s <= 1 && 0 <= t && t <= 1)) return {};
-        return EmitterHit{plane->distance, radiance_, per_steradian(1 / area_, plane->distance, plane->cos_at_light)};
+        return EmitterHit{plane->distance, radiance_, per_steradian(pdf_area(), plane->distance, plane->cos_at_light)};
     }
+    [[nodiscard]] double pdf_area() const { return 1 / area_; }
     [[nodiscard]] Spectrum power(double) const { return lambertian_power(radiance_, area_); }
 
 private:

@@ -26,8 +26,14 @@ public:
         const Vec3 local = sample_uniform_cone(u, cone);
         const Vec3 direction = d > 0 ? Frame(to_centre / d).to_world(local) : local;
         const double sin_squared = local.x * local.x + local.y * local.y;
-        return EmitterSample{direction, distance(d, local.z, sin_squared), radiance_, uniform_cone_pdf(local, cone),
-                             Measure::solid_angle};
+        const double reach = distance(d, local.z, sin_squared);
+        const Vec3 from_centre = normalize(direction * reach - to_centre);
+        return EmitterSample{direction,
+                             reach,
+                             radiance_,
+                             uniform_cone_pdf(local, cone),
+                             Measure::solid_angle,
+                             sphere_point(centre_, radius_, from_centre)};
     }
     [[nodiscard]] std::optional<EmitterHit> hit(Vec3 from, Vec3 direction) const {
         const Vec3 to_centre = centre_ - from;

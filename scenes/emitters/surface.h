@@ -6,15 +6,15 @@ namespace plumb {
 
 // What all emitters that are sampled by area share.
 
-/// The sample at a point of a light that shines to the side of `normal`, chosen with density pdf_area.
-inline std::optional<EmitterSample> sample_towards(Vec3 from, Vec3 point, Vec3 normal, const Spectrum& radiance,
+/// The sample at a point of a light that shines to the side of its normal, chosen with density pdf_area.
+inline std::optional<EmitterSample> sample_towards(Vec3 from, const SurfacePoint& point, const Spectrum& radiance,
                                                    double pdf_area) {
-    const Vec3 way = point - from;
+    const Vec3 way = point.position - from;
     const double distance = length(way);
-    const double cos_at_light = -dot(normal, way) / distance;
+    const double cos_at_light = -dot(point.normal, way) / distance;
     if (!(cos_at_light > 0)) return {};
-    return EmitterSample{way / distance, distance, radiance, per_steradian(pdf_area, distance, cos_at_light),
-                         Measure::solid_angle};
+    return EmitterSample{way / distance,       distance, radiance, per_steradian(pdf_area, distance, cos_at_light),
+                         Measure::solid_angle, point};
 }
 
 /// The distance at which a ray meets the shining side of a plane, with the cosine there.

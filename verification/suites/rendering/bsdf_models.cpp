@@ -5,15 +5,8 @@
 #include <numbers>
 
 #include "checks/check_bsdf.h"
-#include "scenes/bsdfs/conductor.h"
-#include "scenes/bsdfs/dielectric.h"
-#include "scenes/bsdfs/diffuse.h"
+#include "scenes/bsdf.h"
 #include "scenes/bsdfs/fresnel.h"
-#include "scenes/bsdfs/plastic.h"
-#include "scenes/bsdfs/roughconductor.h"
-#include "scenes/bsdfs/roughdielectric.h"
-#include "scenes/bsdfs/roughplastic.h"
-#include "scenes/bsdfs/twosided.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {
@@ -407,7 +400,7 @@ std::vector<Model> models() {
         {"roughdielectric-beckmann", "A rough dielectric of Beckmann facets", "Walter et al. 2007; Heitz & d'Eon 2014",
          shaped(rough_dielectrics, beckmann), all_properties, with(common_defects(2), rough_refraction)},
         {"plastic", "A smooth plastic with a white base", "Mitsuba's plastic; ours, scenes/bsdfs/plastic.h",
-         one(Plastic(Spectrum::grey(1), 1.5, true), {1, 1, true}), all_properties,
+         one(Plastic(Spectrum::grey(1), SmoothCoat(1.5), true), {1, 1, true}), all_properties,
          with(common_defects(1.003),
               {{"energy", "outside-mean", "The coat reflects the base's light as it does light from outside.",
                 base_scaled((1 - mean_fresnel_dielectric(1 / 1.5)) / (1 - mean_fresnel_dielectric(1.5)))},
@@ -421,8 +414,8 @@ std::vector<Model> models() {
         {"roughplastic-beckmann", "A rough plastic of Beckmann facets with a white base",
          "Mitsuba's roughplastic; ours, scenes/bsdfs/roughplastic.h", shaped(rough_plastics, beckmann), all_properties,
          defects_of_mixtures(1.01)},
-        {"twosided", "A two-sided diffuse surface", "ours, scenes/bsdfs/twosided.h",
-         one(TwoSided<Diffuse>{{Spectrum::grey(1)}}, {1, 1, true}), all_properties,
+        {"twosided", "A two-sided diffuse surface", "ours, scenes/bsdf.h",
+         one(Bsdf{Diffuse{Spectrum::grey(1)}, true}, {1, 1, true}), all_properties,
          with(common_defects(1.003),
               {{"sample", "not-turned-back", "A direction chosen below is returned above.", not_turned_back}})},
     };

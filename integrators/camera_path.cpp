@@ -1,0 +1,35 @@
+#include "integrators/camera_path.h"
+
+namespace plumb {
+
+namespace {
+
+// The pixel of the region that u falls in, and how far into it u is.
+struct Chosen {
+    double pixel, rest;
+};
+Chosen choose(int first, int count, double u) {
+    const double place = u * count, below = std::min(std::floor(place), count - 1.0);
+    return {first + below, place - below};
+}
+
+}  // namespace
+
+CameraStart start_at_camera(const Scene& scene, const FilmRegion& region, PrimarySamples& samples) {
+    const std::array<double, 2> u = samples.at({0, Use::film}).u;
+    const Chosen x = choose(region.x, region.width, u[0]), y = choose(region.y, region.height, u[1]);
+    const Point<2> film = sample_film(scene.sensor().filter(), {x.pixel, y.pixel}, {x.rest, y.rest});
+    const Point<2> lens = scene.sensor().has_lens() ? Point<2>(samples.at({0, Use::lens}).u) : Point<2>{0.5, 0.5};
+    return {film, scene.sensor().sample_ray(film, lens)};
+}
+
+std::optional<PathVertex> trace_to_vertex(const Scene& scene, const Ray& ray, std::uint16_t vertex,
+                                          PrimarySamples& samples, PathRecord& record) {
+    const double u = scene.has_masks() ? samples.at({vertex, Use::shadow}).u[0] : 0;
+    const std::optional<Hit> hit = scene.intersect(ray, u, record.rays);
+    if (!hit) return {};
+    const Vec3 wo = normalize(-ray.direction);
+    return PathVertex{*hit, wo, Frame(hit->shading_normal), scene.bsdf(*hit, wo)};
+}
+
+}  // namespace plumb

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "integrators/next_event.h"
+
+namespace plumb {
+
+/// Direct illumination: paths of at most two edges, sensor – surface – emitter, by samples of emitters, of BSDFs, or
+/// of both with multiple importance sampling [Veach & Guibas 1995].
+struct Direct final : PathEstimator {
+    LightTechniques used = LightTechniques::both;
+    NextEvent next_event = default_next_event();
+
+    Direct() = default;
+    explicit Direct(LightTechniques techniques) : used(techniques) {}
+    void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
+               PathRecord& record) const override;
+};
+
+}  // namespace plumb

@@ -1,0 +1,60 @@
+#include "integrators/next_event.h"
+
+#include "integrators/camera_path.h"
+
+namespace plumb {
+
+namespace {
+
+std::optional<SceneLightSample> choose_by_power(const Scene& scene, const PathVertex& vertex, PrimarySamples& samples,
+                                                std::uint16_t number) {
+    const double u = samples.at({number, Use::light}).u[0];
+    return scene.sample_light(vertex.hit.point.position, u, samples.at({number, Use::light_point}).u);
+}
+
+double trace_shadow(const Scene& scene, const PathVertex& vertex, const EmitterSample& light, PathRecord& record) {
+    return scene.transmittance(vertex.hit.point, light, record.rays);
+}
+
+}  // namespace
+
+NextEvent default_next_event() {
+    return {choose_by_power, trace_shadow};
+}
+
+Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::uint16_t number, LightTechniques used,
+                             const NextEvent& next_event, PrimarySamples& samples, PathRecord& record) {
+    if (!vertex.bsdf.smooth()) return {};
+    const auto light = next_event.choose(scene, vertex, samples, number);
+    if (!light || !vertex.agree(light->sample.direction)) return {};
+    const Vec3 wo = vertex.to_local(vertex.wo), wi = vertex.to_local(light->sample.direction);
+    const Spectrum f = vertex.bsdf.eval(wo, wi, Transport::radiance);
+    if (is_black(f)) return {};
+    const double visible = next_event.visibility(scene, vertex, light->sample, record);
+    if (visible == 0) return {};
+    const bool shared = used == LightTechniques::both && light->sample.measure == Measure::solid_angle;
+    const double weight = shared ? mis_weight(light->pdf, vertex.bsdf.pdf(wo, wi)) : 1;
+    return f * light->sample.radiance * (weight * visible / light->pdf);
+}
+
+Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint16_t number, LightTechniques used,
+                         PrimarySamples& samples, PathRecord& record) {
+    const std::array<double, 2> direction = samples.at({number, Use::direction}).u;
+    const double lobe = samples.at({number, Use::lobe}).u[0];
+    const auto sample =
+        vertex.bsdf.sample(vertex.to_local(vertex.wo), {lobe, direction[0], direction[1]}, Transport::radiance);
+    if (!sample) return {};
+    const Vec3 wi = vertex.frame.to_world(sample->wi), from = vertex.hit.point.position;
+    if (!vertex.agree(wi)) return {};
+    const Ray ray = leave(vertex.hit.point, wi);
+    const auto next = trace_to_vertex(scene, ray, static_cast<std::uint16_t>(number + 1), samples, record);
+    const Spectrum radiance = next ? scene.emitted(next->hit, -wi) : scene.environment(ray);
+    if (is_black(radiance)) return {};
+    const bool shared = used == LightTechniques::both && sample->measure == Measure::solid_angle;
+    const double light_pdf = !shared ? 0
+                             : next  ? scene.light_pdf(next->hit, from, wi)
+                                     : scene.environment_pdf(from, wi);
+    return sample->weight * radiance * (shared ? mis_weight(sample->pdf, light_pdf) : 1);
+}
+
+}  // namespace plumb

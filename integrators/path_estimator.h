@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/primary_samples.h"
+#include "scenes/scene.h"
+
+namespace plumb {
+
+/// The pixels that a path is for: film points are drawn uniformly among them, then by the film's filter. A path's
+/// values estimate the mean of the pixels.
+struct FilmRegion {
+    int x = 0, y = 0, width = 1, height = 1;
+};
+
+/// A point of a path on a surface, with what scatters there. Directions leave it, in the world.
+struct PathVertex {
+    Hit hit;
+    Vec3 wo;      ///< towards the sensor, along the path
+    Frame frame;  ///< z is the shading normal
+    Bsdf bsdf;
+
+    [[nodiscard]] Vec3 to_local(Vec3 world) const { return frame.to_local(world); }
+    /// Whether both normals see wi on one side. Where they do not, light would leak through the surface that the
+    /// shading normal pretends [Veach 1997, section 5.3]: nothing scatters there.
+    [[nodiscard]] bool agree(Vec3 wi) const { return dot(hit.point.normal, wi) * dot(frame.z, wi) > 0; }
+};
+
+/// A contribution to the film: value = f w / p, of a path of so many edges (1: an emitter seen directly).
+struct Splat {
+    Point<2> film;
+    Spectrum value;
+    std::uint8_t edges;
+};
+
+/// What an estimator did for one sample. Reused from sample to sample, so that it allocates once.
+struct PathRecord {
+    std::vector<PathVertex> vertices;  ///< from the sensor on; the sensor itself is not among them
+    std::vector<Splat> splats;
+    std::uint64_t rays = 0;  ///< traced, closest hits and shadows alike; counts on over samples
+
+    void clear() {
+        vertices.clear();
+        splats.clear();
+    }
+    [[nodiscard]] Spectrum sum() const {
+        Spectrum sum;
+        for (const Splat& splat : splats) sum += splat.value;
+        return sum;
+    }
+};
+
+/// Says what a path is; a driver decides which paths, in which passes. Random numbers come from the slots of
+/// PrimarySamples alone, so that any driver may guide, replay or mutate them.
+struct PathEstimator {
+    virtual ~PathEstimator() = default;
+    /// One path for the region: its vertices and splats replace those of the record.
+    virtual void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
+                       PathRecord& record) const = 0;
+};
+
+}  // namespace plumb

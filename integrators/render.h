@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "integrators/path_estimator.h"
+#include "scenes/film.h"
+
+namespace plumb {
+
+/// Which paths, in which passes. A pass is a replicate of the whole image: passes give the variance.
+struct RenderSettings {
+    std::string sampler = "independent";  ///< see sampler.h
+    std::uint32_t samples_per_pass = 4;   ///< of each pixel
+    std::uint32_t passes = 16;
+    std::uint64_t seed = 1;
+    FilmRegion crop = {};  ///< which pixels of the film
+};
+
+/// Samples a pixel cut into passes: as near to 16 passes as divides them.
+RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_pixel);
+
+struct Rendered {
+    Film film;
+    std::uint64_t rays = 0;
+};
+
+/// How far a render is: tiles done, of all those of all passes.
+struct RenderProgress {
+    std::uint64_t done, total;
+    bool pass_ends;  ///< the picture of all passes so far may be taken as it is
+};
+
+/// Layers of a render: radiance, then what the camera sees first (albedo, normal, depth), by the same samples.
+std::vector<FilmLayer> render_layers();
+
+/// Renders pass after pass, tiles in parallel. `go_on` hears of each tile, one call at a time; when it answers false
+/// after a pass, the render ends there. The same settings give the same bits on any number of threads.
+Rendered render(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings,
+                const std::function<bool(const RenderProgress&)>& go_on = {});
+
+}  // namespace plumb

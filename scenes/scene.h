@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "scenes/embree_scene.h"
+#include "scenes/emitters/light_chooser.h"
+#include "scenes/light.h"
+#include "scenes/materials.h"
+#include "scenes/sensors/scene_sensor.h"
+
+namespace plumb {
+
+/// A light of the scene, chosen, and a direction towards it: pdf is that of the pair.
+struct SceneLightSample {
+    EmitterSample sample;
+    double pdf = 0;
+};
+
+/// A description made ready for light transport. Immutable: threads share it.
+class Scene {
+public:
+    /// Reads textures and environment maps, builds Embree's tree. Throws Error naming file and line.
+    explicit Scene(description::Scene description);
+
+    [[nodiscard]] const SceneSensor& sensor() const { return sensor_; }
+
+    /// Where a ray meets the scene first. u decides whether it passes masks on its way; `rays` counts what it took.
+    [[nodiscard]] std::optional<Hit> intersect(const Ray& ray, double u, std::uint64_t& rays) const;
+    [[nodiscard]] bool has_masks() const { return has_masks_; }
+    /// How much of the light of a sample of an emitter arrives: 0 or 1, in between behind masks.
+    [[nodiscard]] double transmittance(const SurfacePoint& from, const EmitterSample& sample,
+                                       std::uint64_t& rays) const;
+
+    /// The closure at a hit for light that leaves towards `wo` (in the world).
+    [[nodiscard]] Bsdf bsdf(const Hit& hit, Vec3 wo) const;
+
+    /// Radiance that a hit surface emits towards `wo`, or that the environment sends along a ray that met nothing.
+    [[nodiscard]] Spectrum emitted(const Hit& hit, Vec3 wo) const;
+    [[nodiscard]] Spectrum environment(const Ray& ray) const;
+
+    /// Chooses a light by its power, then a direction towards it; empty where it does not shine, or there is no light.
+    [[nodiscard]] std::optional<SceneLightSample> sample_light(Vec3 from, double u, const Point<2>& v) const;
+    /// The density, per steradian, with which sample_light(from) would have found the emitter that a ray met.
+    [[nodiscard]] double light_pdf(const Hit& hit, Vec3 from, Vec3 direction) const;
+    [[nodiscard]] double environment_pdf(Vec3 from, Vec3 direction) const;
+
+    [[nodiscard]] const description::Scene& description() const { return description_; }
+    [[nodiscard]] const EmbreeScene& embree() const { return embree_; }
+    [[nodiscard]] const std::vector<Light>& lights() const { return lights_; }
+
+private:
+    [[nodiscard]] const description::Shape& shape(const Hit& hit) const { return description_.shapes[hit.shape]; }
+    [[nodiscard]] double opacity(const Hit& hit) const { return materials_.opacity(shape(hit).material, hit.uv); }
+
+    description::Scene description_;
+    EmbreeScene embree_;
+    Materials materials_;
+    SceneSensor sensor_;
+    std::vector<Light> lights_;
+    std::vector<std::size_t> light_of_shape_;  // lights_.size() where it does not shine
+    std::optional<std::size_t> environment_;
+    std::optional<LightChooser> chooser_;  // empty without lights
+    bool has_masks_ = false;
+};
+
+/// The radius of a ball around all shapes.
+double radius_of(const std::vector<description::Shape>& shapes);
+
+}  // namespace plumb

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <variant>
+
+#include "scenes/description.h"
+#include "scenes/filters.h"
+#include "scenes/sensors/perspective.h"
+#include "scenes/sensors/thin_lens.h"
+#include "scenes/surface_point.h"
+
+namespace plumb {
+
+/// The camera, film and filter that a description asks for.
+class SceneSensor {
+public:
+    /// Throws Error naming file and line.
+    explicit SceneSensor(const description::Sensor& sensor);
+
+    [[nodiscard]] FilmSize film() const { return film_; }
+    [[nodiscard]] const Filter& filter() const { return filter_; }
+    [[nodiscard]] bool has_lens() const { return std::holds_alternative<ThinLens>(model_); }
+
+    [[nodiscard]] Ray sample_ray(const Point<2>& film, const Point<2>& lens) const {
+        const Ray ray = std::visit([&](const auto& m) { return m.sample_ray(film, lens); }, model_);
+        return rounded_ray(ray.origin, ray.direction);
+    }
+    [[nodiscard]] std::optional<SensorSample> connect(Vec3 from, const Point<2>& lens) const {
+        return std::visit([&](const auto& m) { return m.connect(from, lens); }, model_);
+    }
+
+private:
+    FilmSize film_;
+    Filter filter_;
+    std::variant<Perspective, ThinLens> model_;
+};
+
+}  // namespace plumb
