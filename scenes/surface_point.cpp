@@ -87,7 +87,7 @@ Ray connect(const SurfacePoint& from, const SurfacePoint& to) {
 
 Ray connect_to_space(const SurfacePoint& from, Vec3 to) {
     const Vec3 origin = ray_origin(from, to - from.inset);
-    return {origin, rounded(to - origin), 1};
+    return {origin, rounded_to_float(to - origin), 1};
 }
 
 Ray rounded_ray(Vec3 origin, Vec3 direction, double t_max) {
