@@ -11,6 +11,7 @@
 #include "integrators/sampler.h"
 #include "reports/json.h"
 #include "scenes/mitsuba_xml.h"
+#include "scenes/shipped.h"
 
 namespace plumb {
 namespace {
@@ -116,7 +117,7 @@ int render(const RenderOptions& options) {
     else
         settings = with_samples(settings, options.samples_per_pixel);
     Sampler(settings.sampler, 1);  // knows the name, or says so before the work begins
-    const Scene scene(load_mitsuba(options.scene, {options.definitions, options.lenient}));
+    const Scene scene(load_mitsuba(scene_file(options.scene), {options.definitions, options.lenient}));
     print_notes(scene.description());
     settings.crop = crop_of(options.crop, scene.sensor().film());
 

@@ -23,10 +23,15 @@ CameraStart start_at_camera(const Scene& scene, const FilmRegion& region, Primar
     return {film, scene.sensor().sample_ray(film, lens)};
 }
 
+std::optional<Hit> trace_to_hit(const Scene& scene, const Ray& ray, std::uint16_t vertex, PrimarySamples& samples,
+                                PathRecord& record) {
+    const double u = scene.has_masks() ? samples.at({vertex, Use::shadow}).u[0] : 0;
+    return scene.intersect(ray, u, record.rays);
+}
+
 std::optional<PathVertex> trace_to_vertex(const Scene& scene, const Ray& ray, std::uint16_t vertex,
                                           PrimarySamples& samples, PathRecord& record) {
-    const double u = scene.has_masks() ? samples.at({vertex, Use::shadow}).u[0] : 0;
-    const std::optional<Hit> hit = scene.intersect(ray, u, record.rays);
+    const std::optional<Hit> hit = trace_to_hit(scene, ray, vertex, samples, record);
     if (!hit) return {};
     const Vec3 wo = normalize(-ray.direction);
     return PathVertex{*hit, wo, Frame(hit->shading_normal), scene.bsdf(*hit, wo)};

@@ -11,7 +11,10 @@ struct CameraStart {
 };
 CameraStart start_at_camera(const Scene& scene, const FilmRegion& region, PrimarySamples& samples);
 
-/// The vertex with this number (the sensor is 0) where a ray meets the scene; empty where it leaves it.
+/// Where a ray meets the scene, at the vertex with this number (the sensor is 0); empty where it leaves it.
+std::optional<Hit> trace_to_hit(const Scene& scene, const Ray& ray, std::uint16_t vertex, PrimarySamples& samples,
+                                PathRecord& record);
+/// With what scatters there.
 std::optional<PathVertex> trace_to_vertex(const Scene& scene, const Ray& ray, std::uint16_t vertex,
                                           PrimarySamples& samples, PathRecord& record);
 

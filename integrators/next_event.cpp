@@ -47,12 +47,12 @@ Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint
     const Vec3 wi = vertex.frame.to_world(sample->wi), from = vertex.hit.point.position;
     if (!vertex.agree(wi)) return {};
     const Ray ray = leave(vertex.hit.point, wi);
-    const auto next = trace_to_vertex(scene, ray, static_cast<std::uint16_t>(number + 1), samples, record);
-    const Spectrum radiance = next ? scene.emitted(next->hit, -wi) : scene.environment(ray);
+    const auto next = trace_to_hit(scene, ray, static_cast<std::uint16_t>(number + 1), samples, record);
+    const Spectrum radiance = next ? scene.emitted(*next, -wi) : scene.environment(ray);
     if (is_black(radiance)) return {};
     const bool shared = used == LightTechniques::both && sample->measure == Measure::solid_angle;
     const double light_pdf = !shared ? 0
-                             : next  ? scene.light_pdf(next->hit, from, wi)
+                             : next  ? scene.light_pdf(*next, from, wi)
                                      : scene.environment_pdf(from, wi);
     return sample->weight * radiance * (shared ? mis_weight(sample->pdf, light_pdf) : 1);
 }

@@ -38,7 +38,7 @@ struct Splat {
 struct PathRecord {
     std::vector<PathVertex> vertices;  ///< from the sensor on; the sensor itself is not among them
     std::vector<Splat> splats;
-    std::uint64_t rays = 0;  ///< traced, closest hits and shadows alike; counts on over samples
+    RayLog rays;  ///< counts on over samples
 
     void clear() {
         vertices.clear();

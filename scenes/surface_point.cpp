@@ -13,7 +13,7 @@ Vec3 absolute(Vec3 p) {
     return {std::abs(p.x), std::abs(p.y), std::abs(p.z)};
 }
 
-/// Barycentric coordinates at least `floor` each, unchanged where they are: the part above the floors shrinks.
+/// Barycentric coordinates at least `floor` each: the part above the floors shrinks.
 std::array<double, 3> raised(const std::array<double, 3>& b, const std::array<double, 3>& floor) {
     const double sum = floor[0] + floor[1] + floor[2];
     std::array<double, 3> result;
@@ -38,8 +38,8 @@ SurfacePoint triangle_point(const std::array<Vec3, 3>& vertices, double u, doubl
     const auto& [a, b, c] = vertices;
     const Vec3 twice_area = cross(b - a, c - a);
     const double doubled = length(twice_area);
-    const std::array<double, 3> sides{length(c - b), length(c - a), length(b - a)};
-    const double longest = std::max({sides[0], sides[1], sides[2]});
+    const std::array<double, 3> squares{length_squared(c - b), length_squared(c - a), length_squared(b - a)};
+    const double longest = std::sqrt(std::max({squares[0], squares[1], squares[2]}));
     const auto at = [&](double p, double q, double r) { return a * p + b * q + c * r; };
     // Embree hands out barycentric coordinates a rounding outside the triangle.
     u = std::clamp(u, 0.0, 1.0);
@@ -51,7 +51,12 @@ SurfacePoint triangle_point(const std::array<Vec3, 3>& vertices, double u, doubl
     // Twice, because going along the normal comes nearer to a neighbour at an acute angle: where two faces meet at θ,
     // cot(θ/2) times would do, so 2 serves down to θ = 53°.
     const double away = 2 * (length(float_rounding(point.position)) + point.margin);
-    const std::array<double, 3> floor{away * sides[0] / doubled, away * sides[1] / doubled, away * sides[2] / doubled};
+    // A coordinate is the distance from its edge, times side over twice the area.
+    const double per_length = away / doubled;
+    point.inset = point.position;
+    if (std::min({1 - u - v, u, v}) >= per_length * longest) return point;
+    std::array<double, 3> floor;
+    for (std::size_t i = 0; i < 3; ++i) floor[i] = per_length * std::sqrt(squares[i]);
     const std::array<double, 3> inset = raised({1 - u - v, u, v}, floor);
     point.inset = at(inset[0], inset[1], inset[2]);
     return point;
