@@ -145,7 +145,7 @@ TEST(BadBsdf, ValuesOfOurModelsAreSound) {
     const auto sound = [](const auto& model) { return holds(values_are_sound(subject_of(model), some_run())); };
     EXPECT_TRUE(sound(Diffuse{Spectrum::grey(0.5)}));
     EXPECT_TRUE(sound(Conductor{{}, Spectrum::grey(1)}));
-    EXPECT_TRUE(sound(Plastic(Spectrum::grey(0.5), 1.5, true)));
+    EXPECT_TRUE(sound(Plastic(Spectrum::grey(0.5), SmoothCoat(1.5), true)));
     for (const MicrofacetShape shape : {MicrofacetShape::ggx, MicrofacetShape::beckmann})
         for (const double alpha : {1e-4, 1e-2, 1.0})
             EXPECT_TRUE(sound(RoughConductor{{shape, alpha}, {}, Spectrum::grey(1)}));
