@@ -115,7 +115,9 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
 void add_list(CLI::App& app, ListOptions& options, VerbSet verbs) {
     const bool shipped = verbs == VerbSet::shipped;
     CLI::App* verb = app.add_subcommand("list", "List what Plumb knows");
-    verb->add_option("what", options.what, shipped ? "claims, mutants, integrands or estimators" : "claims or mutants")
+    verb->add_option("what", options.what,
+                     shipped ? "claims, mutants, integrands, estimators, scenes, integrators, bsdfs or emitters"
+                             : "claims or mutants")
         ->required();
     verb->add_flag("--json", options.json, "as JSON, to standard output");
     verb->footer(shipped ? "Example: plumb list integrands --json" : "Example: list claims --json");
@@ -123,9 +125,13 @@ void add_list(CLI::App& app, ListOptions& options, VerbSet verbs) {
 
 void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) {
     CLI::App* verb = app.add_subcommand("converge", "Measure error against samples, evaluations and seconds");
-    verb->add_option("estimators", options.estimators, "e.g. independent torus-tent; see plumb list estimators")
+    verb->add_option(
+            "estimators", options.estimators,
+            "e.g. independent torus-tent, or on scenes direct, direct+sobol; see plumb list estimators|integrators")
         ->required();
-    verb->add_option("--on", options.integrands, "integrands, e.g. exp; see plumb list integrands")->required();
+    verb->add_option("--on", options.integrands,
+                     "integrands, e.g. exp, or scenes: SCENE, SCENE:x,y (a pixel), SCENE:x,y,width,height")
+        ->required();
     verb->add_option("--n", counts, "sample counts: first..last (doubling) or a list a,b,c")
         ->check(checked(parse_sample_counts))
         ->capture_default_str();
@@ -135,7 +141,9 @@ void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) 
     add_seed_and_threads(verb, options.seed, options.threads);
     verb->add_option("--json", options.json, "write the series as JSON to this file");
     verb->add_option("--report", options.report, "the page with the plots")->capture_default_str();
-    verb->footer("Example: plumb converge independent torus-tent --on exp --n 16..4096");
+    verb->footer(
+        "Examples: plumb converge independent torus-tent --on exp --n 16..4096\n"
+        "          plumb converge direct direct+sobol --on cornell_box:64,64");
 }
 
 void add_study(CLI::App& app, StudyOptions& options) {

@@ -1,6 +1,8 @@
 #include "analytic/integrand.h"
 #include "cli/commands.h"
 #include "estimators/estimator.h"
+#include "integrators/integrators.h"
+#include "scenes/shipped.h"
 
 namespace plumb {
 namespace {
@@ -29,6 +31,20 @@ void append_estimators(std::vector<ListRow>& rows) {
                         {"source", e.source}});
 }
 
+std::vector<ListRow> integrator_rows() {
+    std::vector<ListRow> rows;
+    for (const NamedIntegrator& i : integrators())
+        rows.push_back({{"id", i.id}, {"summary", i.summary}, {"source", i.source}});
+    return rows;
+}
+
+std::vector<ListRow> scene_rows() {
+    std::vector<ListRow> rows;
+    for (const ShippedScene& scene : shipped_scenes())
+        rows.push_back({{"id", scene.name}, {"question", scene.question}, {"file", scene.file.string()}});
+    return rows;
+}
+
 template <auto append_1d, auto append_2d>
 std::vector<ListRow> both_dimensions() {
     std::vector<ListRow> rows;
@@ -43,6 +59,8 @@ Lists shipped_lists(const Catalogue& catalogue) {
     Lists lists = catalogue_lists(catalogue);
     lists["integrands"] = both_dimensions<append_integrands<1>, append_integrands<2>>;
     lists["estimators"] = both_dimensions<append_estimators<1>, append_estimators<2>>;
+    lists["integrators"] = integrator_rows;
+    lists["scenes"] = scene_rows;
     return lists;
 }
 

@@ -51,9 +51,7 @@ Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint
     const Spectrum radiance = next ? scene.emitted(*next, -wi) : scene.environment(ray);
     if (is_black(radiance)) return {};
     const bool shared = used == LightTechniques::both && sample->measure == Measure::solid_angle;
-    const double light_pdf = !shared ? 0
-                             : next  ? scene.light_pdf(*next, from, wi)
-                                     : scene.environment_pdf(from, wi);
+    const double light_pdf = !shared ? 0 : next ? scene.light_pdf(*next, from, wi) : scene.environment_pdf(from, wi);
     return sample->weight * radiance * (shared ? mis_weight(sample->pdf, light_pdf) : 1);
 }
 
