@@ -40,6 +40,7 @@ TEST(SurfacePoint, RaysAreMadeOfFloats) {
         for (const SurfacePoint& from : {triangle, sphere, disk}) expect_floats(leave(from, random_vector(random)));
         expect_floats(connect(triangle, sphere));
         expect_floats(connect(disk, triangle));
+        expect_floats(connect_to_space(sphere, random_vector(random)));
         expect_floats(rounded_ray(random_vector(random), random_vector(random)));
     }
 }
