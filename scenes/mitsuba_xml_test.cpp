@@ -166,20 +166,5 @@ TEST(Metals, UnknownOnesAreNamed) {
     EXPECT_DOUBLE_EQ(named_index("water"), 1.333);
 }
 
-/// The scenes of the repository load as they stand.
-TEST(ShippedScenes, LoadWithoutReplacements) {
-    int found = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(PLUMB_SOURCE_DIR) / "scenes")) {
-        const auto file = entry.path() / "scene.xml";
-        if (!std::filesystem::exists(file)) continue;
-        ++found;
-        const Scene scene = load_mitsuba(file);
-        EXPECT_TRUE(scene.sensor) << file;
-        for (const Note& note : scene.notes) EXPECT_EQ(note.kind, Note::Kind::ignored) << file;
-        EXPECT_TRUE(std::filesystem::exists(entry.path() / "expected.json")) << file;
-    }
-    EXPECT_GE(found, 3);
-}
-
 }  // namespace
 }  // namespace plumb

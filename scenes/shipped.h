@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace plumb {
+
+/// A scene that comes with Plumb.
+struct ShippedScene {
+    std::string name, question;
+    std::filesystem::path file;  ///< its scene.xml; expected.json lies beside it
+
+    /// What known_radiances() reads.
+    [[nodiscard]] std::filesystem::path expected() const { return file.parent_path() / "expected.json"; }
+};
+
+/// By name: of an installed program those in its ../share/plumb/scenes, else those of the sources it was built from.
+std::vector<ShippedScene> shipped_scenes();
+
+/// The file of this path if there is one, else that of the shipped scene of this name. Throws Error naming the nearest.
+std::filesystem::path scene_file(const std::string& name_or_path);
+
+}  // namespace plumb

@@ -1,0 +1,60 @@
+#include "scenes/shipped.h"
+
+#include <set>
+
+#include "core/file.h"
+#include "scenes/known_radiances.h"
+#include "scenes/mitsuba_xml.h"
+#include "scenes/test_files.h"
+
+namespace plumb {
+namespace {
+
+using namespace description;
+
+TEST(ShippedScenes, LoadAsTheyStandAndAskTheirQuestion) {
+    const std::vector<ShippedScene> scenes = shipped_scenes();
+    EXPECT_GE(scenes.size(), 16u);
+    for (const auto& [name, question, file] : scenes) {
+        const Scene scene = load_mitsuba(file);
+        ASSERT_TRUE(scene.sensor) << name;
+        for (const Note& note : scene.notes) EXPECT_EQ(note.kind, Note::Kind::ignored) << name << ": " << note.text;
+        const KnownScene known = known_radiances(file.parent_path() / "expected.json");
+        EXPECT_EQ(known.film.width, scene.sensor->film.width) << name;
+        EXPECT_EQ(known.film.height, scene.sensor->film.height) << name;
+        EXPECT_FALSE(known.radiances.empty()) << name;
+        EXPECT_TRUE(question.ends_with("?")) << name;
+        EXPECT_TRUE(read_file(file).starts_with("<!-- " + question)) << name;
+    }
+}
+
+/// Every plugin of the loader is used by a scene.
+TEST(ShippedScenes, UseAllThatTheLoaderKnows) {
+    std::string text;
+    for (const ShippedScene& scene : shipped_scenes()) text += read_file(scene.file);
+    for (const char* kind : {"shape", "bsdf", "texture", "emitter", "sensor", "film", "rfilter"}) {
+        const std::vector<std::string> plugins = mitsuba_plugins(kind);
+        EXPECT_FALSE(plugins.empty()) << kind;
+        for (const std::string& plugin : plugins) {
+            EXPECT_NE(text.find(fmt::format("type=\"{}\"", plugin)), std::string::npos) << kind << " " << plugin;
+        }
+    }
+    for (const char* value : {"ggx", "beckmann"})
+        EXPECT_NE(text.find(fmt::format("value=\"{}\"", value)), std::string::npos) << value;
+}
+
+class SceneFile : public testing_files::Folder {};
+
+TEST_F(SceneFile, IsAPathOrAName) {
+    const auto file = write("a.xml", "");
+    EXPECT_EQ(scene_file(file.string()), file);
+    EXPECT_EQ(scene_file("glass").parent_path().filename(), "glass");
+    EXPECT_EQ(message([] { return scene_file("glas"); }), "unknown scene 'glas'; did you mean 'glass'?");
+    EXPECT_EQ(message([] { return scene_file("no/glass.xml"); }), "there is no scene file no/glass.xml");
+    EXPECT_EQ(
+        message([] { return scene_file("xylophones-and-more"); }).find("unknown scene 'xylophones-and-more'; known: "),
+        0u);
+}
+
+}  // namespace
+}  // namespace plumb
