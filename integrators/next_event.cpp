@@ -19,7 +19,7 @@ double trace_shadow(const Scene& scene, const PathVertex& vertex, const EmitterS
 }  // namespace
 
 NextEvent default_next_event() {
-    return {choose_by_power, trace_shadow};
+    return {choose_by_power, trace_shadow, mis_weight};
 }
 
 Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::uint16_t number, LightTechniques used,
@@ -33,12 +33,12 @@ Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::
     const double visible = next_event.visibility(scene, vertex, light->sample, record);
     if (visible == 0) return {};
     const bool shared = used == LightTechniques::both && light->sample.measure == Measure::solid_angle;
-    const double weight = shared ? mis_weight(light->pdf, vertex.bsdf.pdf(wo, wi)) : 1;
+    const double weight = shared ? next_event.weight(light->pdf, vertex.bsdf.pdf(wo, wi)) : 1;
     return f * light->sample.radiance * (weight * visible / light->pdf);
 }
 
 Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint16_t number, LightTechniques used,
-                         PrimarySamples& samples, PathRecord& record) {
+                         const NextEvent& next_event, PrimarySamples& samples, PathRecord& record) {
     const std::array<double, 2> direction = samples.at({number, Use::direction}).u;
     const double lobe = samples.at({number, Use::lobe}).u[0];
     const auto sample =
@@ -52,7 +52,7 @@ Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint
     if (is_black(radiance)) return {};
     const bool shared = used == LightTechniques::both && sample->measure == Measure::solid_angle;
     const double light_pdf = !shared ? 0 : next ? scene.light_pdf(*next, from, wi) : scene.environment_pdf(from, wi);
-    return sample->weight * radiance * (shared ? mis_weight(sample->pdf, light_pdf) : 1);
+    return sample->weight * radiance * (shared ? next_event.weight(sample->pdf, light_pdf) : 1);
 }
 
 }  // namespace plumb
