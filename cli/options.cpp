@@ -116,7 +116,8 @@ void add_list(CLI::App& app, ListOptions& options, VerbSet verbs) {
     const bool shipped = verbs == VerbSet::shipped;
     CLI::App* verb = app.add_subcommand("list", "List what Plumb knows");
     verb->add_option("what", options.what,
-                     shipped ? "claims, mutants, integrands, estimators, integrators, scenes, bsdfs, emitters, sensors, shapes or textures"
+                     shipped ? "claims, mutants, integrands, estimators, integrators, scenes, bsdfs, emitters, "
+                               "sensors, shapes or textures"
                              : "claims or mutants")
         ->required();
     verb->add_flag("--json", options.json, "as JSON, to standard output");
@@ -213,6 +214,13 @@ void add_render(CLI::App& app, RenderOptions& options, std::vector<std::string>&
     verb->add_option("scene", options.scene, "a scene in Mitsuba's XML, or the name of a shipped one")->required();
     verb->add_option("--integrator", options.integrator, "see plumb list integrators")->capture_default_str();
     verb->add_option("--sampler", options.sampler, "independent, stratified or sobol")->capture_default_str();
+    verb->add_option("--max-depth", options.max_depth,
+                     "longest paths of `path`, in edges from the sensor (1: lights seen directly); -1: no limit")
+        ->check(CLI::Range(-1, 30000))
+        ->capture_default_str();
+    verb->add_option("--rr-depth", options.roulette_depth, "Russian roulette begins behind so many edges")
+        ->check(CLI::Range(0, 30000))
+        ->capture_default_str();
     CLI::Option* spp = verb->add_option("--spp", options.samples_per_pixel, "samples a pixel")
                            ->check(CLI::Range(1u, 1u << 24))
                            ->capture_default_str();

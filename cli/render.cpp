@@ -47,6 +47,7 @@ std::map<std::string, std::string> metadata(const RenderOptions& options, const 
             {"plumb:scene_hash", fmt::format("{:016x}", scene.description().content_hash)},
             {"plumb:integrator", options.integrator},
             {"plumb:sampler", settings.sampler},
+            {"plumb:max_depth", fmt::format("{}", options.max_depth)},
             {"plumb:seed", fmt::format("{}", settings.seed)},
             {"plumb:spp", fmt::format("{}", film.replicates() * settings.samples_per_pass)},
             {"plumb:replicates", fmt::format("{}", film.replicates())},
@@ -111,7 +112,7 @@ void print_bad_values(const BadValues& bad) {
 }  // namespace
 
 int render(const RenderOptions& options) {
-    const auto estimator = find_integrator(options.integrator).make();
+    const auto estimator = find_integrator(options.integrator).make({options.max_depth, options.roulette_depth});
     const fs::path file = scene_file(options.scene);
     const fs::path out = options.out.empty() ? fs::path("out") / (name_of(file) + ".exr") : fs::path(options.out);
     check_writable(out);

@@ -31,7 +31,7 @@ struct PathVertex {
 struct Splat {
     Point<2> film;
     Spectrum value;
-    std::uint8_t edges;
+    int edges;
 };
 
 /// What an estimator did for one sample. Reused from sample to sample, so that it allocates once.
