@@ -116,7 +116,7 @@ void add_list(CLI::App& app, ListOptions& options, VerbSet verbs) {
     const bool shipped = verbs == VerbSet::shipped;
     CLI::App* verb = app.add_subcommand("list", "List what Plumb knows");
     verb->add_option("what", options.what,
-                     shipped ? "claims, mutants, integrands, estimators, scenes, integrators, bsdfs or emitters"
+                     shipped ? "claims, mutants, integrands, estimators, integrators, scenes, bsdfs, emitters, sensors, shapes or textures"
                              : "claims or mutants")
         ->required();
     verb->add_flag("--json", options.json, "as JSON, to standard output");

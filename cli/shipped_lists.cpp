@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "estimators/estimator.h"
 #include "integrators/integrators.h"
+#include "scenes/plugins.h"
 #include "scenes/shipped.h"
 
 namespace plumb {
@@ -45,6 +46,13 @@ std::vector<ListRow> scene_rows() {
     return rows;
 }
 
+std::vector<ListRow> plugin_rows(std::string_view kind) {
+    std::vector<ListRow> rows;
+    for (const Plugin& plugin : known_plugins())
+        if (plugin.kind == kind) rows.push_back({{"id", plugin.name}, {"summary", plugin.summary}});
+    return rows;
+}
+
 template <auto append_1d, auto append_2d>
 std::vector<ListRow> both_dimensions() {
     std::vector<ListRow> rows;
@@ -61,6 +69,8 @@ Lists shipped_lists(const Catalogue& catalogue) {
     lists["estimators"] = both_dimensions<append_estimators<1>, append_estimators<2>>;
     lists["integrators"] = integrator_rows;
     lists["scenes"] = scene_rows;
+    for (const char* kind : {"bsdf", "emitter", "sensor", "shape", "texture"})
+        lists[std::string(kind) + "s"] = [kind] { return plugin_rows(kind); };
     return lists;
 }
 
