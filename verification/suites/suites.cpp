@@ -34,6 +34,7 @@ Catalogue shipped_catalogue() {
     add_camera_claims(catalogue);
     add_film_claims(catalogue);
     add_surface_claims(catalogue);
+    add_texture_claims(catalogue);
     add_bsdf_model_claims(catalogue);
     add_bsdf_term_claims(catalogue);
     return catalogue;

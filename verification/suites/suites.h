@@ -38,6 +38,7 @@ void add_light_rate_claims(Catalogue& catalogue);
 void add_camera_claims(Catalogue& catalogue);
 void add_film_claims(Catalogue& catalogue);
 void add_surface_claims(Catalogue& catalogue);
+void add_texture_claims(Catalogue& catalogue);
 void add_bsdf_model_claims(Catalogue& catalogue);  ///< every model against its own words
 void add_bsdf_term_claims(Catalogue& catalogue);   ///< Fresnel's and the microfacets' terms in multi-precision
 
