@@ -9,7 +9,7 @@
 namespace plumb {
 
 /// The pixels that a path is for: film points are drawn uniformly among them, then by the film's filter. A path's
-/// values estimate the mean of the pixels.
+/// values estimate the mean of the pixels, but for splats that fall anywhere on the film.
 struct FilmRegion {
     int x = 0, y = 0, width = 1, height = 1;
 };
@@ -32,6 +32,9 @@ struct Splat {
     Point<2> film;
     Spectrum value;
     int edges;
+    /// For every pixel j whose filter reaches the film point, whatever the region: h_j(film) value estimates it. Who
+    /// traces n such paths takes 1/n of each.
+    bool anywhere = false;
 };
 
 /// What an estimator did for one sample. Reused from sample to sample, so that it allocates once.
@@ -44,9 +47,11 @@ struct PathRecord {
         vertices.clear();
         splats.clear();
     }
+    /// Of the splats for the region.
     [[nodiscard]] Spectrum sum() const {
         Spectrum sum;
-        for (const Splat& splat : splats) sum += splat.value;
+        for (const Splat& splat : splats)
+            if (!splat.anywhere) sum += splat.value;
         return sum;
     }
 };

@@ -17,6 +17,13 @@ struct SceneLightSample {
     double pdf = 0;
 };
 
+/// A ray of a light of the scene.
+struct SceneLightRay {
+    EmittedRay ray;  ///< weight over the chance of the light
+    std::size_t light;
+    double chance;
+};
+
 /// A description made ready for light transport. Immutable: threads share it.
 class Scene {
 public:
@@ -29,8 +36,7 @@ public:
     [[nodiscard]] std::optional<Hit> intersect(const Ray& ray, double u, RayLog& log) const;
     [[nodiscard]] bool has_masks() const { return has_masks_; }
     /// How much of the light of a sample of an emitter arrives: 0 or 1, in between behind masks.
-    [[nodiscard]] double transmittance(const SurfacePoint& from, const EmitterSample& sample,
-                                       RayLog& log) const;
+    [[nodiscard]] double transmittance(const SurfacePoint& from, const EmitterSample& sample, RayLog& log) const;
 
     /// The closure at a hit for light that leaves towards `wo` (in the world).
     [[nodiscard]] Bsdf bsdf(const Hit& hit, Vec3 wo) const;
@@ -45,15 +51,27 @@ public:
     [[nodiscard]] double light_pdf(const Hit& hit, Vec3 from, Vec3 direction) const;
     [[nodiscard]] double environment_pdf(Vec3 from, Vec3 direction) const;
 
+    /// Chooses a light by its power and a ray that it sends; empty without lights.
+    [[nodiscard]] std::optional<SceneLightRay> sample_light_ray(double u, const Point<2>& origin,
+                                                                const Point<2>& direction) const;
+    /// The densities of such a ray along `direction`, which leaves the light or comes from the environment: `area`
+    /// includes the choice of the light. 0 from where nothing shines.
+    [[nodiscard]] EmittedRayPdf light_ray_pdf(const Hit& hit, Vec3 direction) const;
+    [[nodiscard]] EmittedRayPdf environment_ray_pdf(Vec3 direction) const;
+    /// Around all shapes: environments shine into it.
+    [[nodiscard]] const Ball& ball() const { return ball_; }
+
     [[nodiscard]] const description::Scene& description() const { return description_; }
     [[nodiscard]] const EmbreeScene& embree() const { return embree_; }
     [[nodiscard]] const std::vector<Light>& lights() const { return lights_; }
 
 private:
     [[nodiscard]] const description::Shape& shape(const Hit& hit) const { return description_.shapes[hit.shape]; }
+    [[nodiscard]] EmittedRayPdf ray_pdf(std::size_t light, Vec3 normal, Vec3 direction) const;
     [[nodiscard]] double opacity(const Hit& hit) const { return materials_.opacity(shape(hit).material, hit.uv); }
 
     description::Scene description_;
+    Ball ball_;
     EmbreeScene embree_;
     Materials materials_;
     SceneSensor sensor_;
@@ -63,8 +81,5 @@ private:
     std::optional<LightChooser> chooser_;  // empty without lights
     bool has_masks_ = false;
 };
-
-/// The radius of a ball around all shapes.
-double radius_of(const std::vector<description::Shape>& shapes);
 
 }  // namespace plumb

@@ -44,9 +44,18 @@ public:
         if (d > radius_ && !(cos > 0 && d * d * sin_squared <= radius_ * radius_)) return {};
         return EmitterHit{distance(d, cos, sin_squared), radiance_, 1 / (2 * pi * one_minus_cos(d))};
     }
-    [[nodiscard]] Spectrum power(double) const { return lambertian_power(radiance_, 4 * pi * radius_ * radius_); }
+    [[nodiscard]] EmittedRay sample_ray(const Ball&, const Point<2>& u, const Point<2>& v) const {
+        SurfacePoint point = sphere_point(centre_, radius_, sample_uniform_sphere(u));
+        if (side_ == Side::inwards) point.normal = -point.normal;
+        return send_from(point, radiance_, 1 / area(), v);
+    }
+    [[nodiscard]] EmittedRayPdf ray_pdf(const Ball&, Vec3 normal, Vec3 direction) const {
+        return ray_pdf_from(1 / area(), normal, direction);
+    }
+    [[nodiscard]] Spectrum power(double) const { return lambertian_power(radiance_, area()); }
 
 private:
+    [[nodiscard]] double area() const { return 4 * pi * radius_ * radius_; }
     [[nodiscard]] bool shines_at(double d) const { return side_ == Side::outwards ? d > radius_ : d < radius_; }
     /// Of the half angle under which the sphere is seen from d: sin² = (R/d)², and 1 − cos = sin²/(1 + cos).
     [[nodiscard]] double one_minus_cos(double d) const {
