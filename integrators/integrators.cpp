@@ -23,6 +23,10 @@ const std::vector<NamedIntegrator>& integrators() {
         {"direct-bsdf", "direct light by samples of BSDFs alone", "Veach & Guibas 1995", direct<LightTechniques::bsdf>},
         {"direct-emitters", "direct light by samples of emitters alone", "Veach & Guibas 1995",
          direct<LightTechniques::emitters>},
+        {"light", "light traced from its sources, each vertex connected to the lens", "Arvo 1986",
+         [](const PathLimits& limits) -> std::unique_ptr<PathEstimator> {
+             return std::make_unique<LightTracer>(limits);
+         }},
         {"path", "all light: emitter and BSDF samples at each vertex of a path from the sensor", "Kajiya 1986",
          [](const PathLimits& limits) -> std::unique_ptr<PathEstimator> {
              return std::make_unique<PathTracer>(limits);

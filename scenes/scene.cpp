@@ -96,24 +96,32 @@ std::optional<SceneLightSample> Scene::sample_light(Vec3 from, double u, const P
     const auto [index, pmf] = chooser_->sample(u);
     const auto sample = std::visit([&](const auto& light) { return light.sample(from, v); }, lights_[index]);
     if (!sample) return {};
-    return SceneLightSample{*sample, pmf * sample->pdf};
+    return SceneLightSample{*sample, pmf * sample->pdf, index};
 }
 
 double Scene::light_pdf(const Hit& hit, Vec3 from, Vec3 direction) const {
-    const std::size_t index = light_of_shape_[hit.shape];
-    if (index == lights_.size()) return 0;
-    const double cos_at_light = -dot(hit.point.normal, direction);
+    const auto light = light_of(hit);
+    return light ? light_pdf(*light, hit.point.position, hit.point.normal, from, direction) : 0;
+}
+
+double Scene::light_pdf(std::size_t light, Vec3 position, Vec3 normal, Vec3 from, Vec3 direction) const {
+    const double cos_at_light = -dot(normal, direction);
     if (!(cos_at_light > 0)) return 0;
-    const auto pdf = [&](const auto& light) {
+    const auto pdf = [&](const auto& emitter) {
         // The triangle that was met is known: no other need be looked at.
-        if constexpr (requires { light.pdf_area(); }) {
-            return per_steradian(light.pdf_area(), length(hit.point.position - from), cos_at_light);
+        if constexpr (requires { emitter.pdf_area(); }) {
+            return per_steradian(emitter.pdf_area(), length(position - from), cos_at_light);
         } else {
-            const auto met = light.hit(from, direction);
+            const auto met = emitter.hit(from, direction);
             return met ? met->pdf : 0;
         }
     };
-    return chooser_->pmf(index) * std::visit(pdf, lights_[index]);
+    return chooser_->pmf(light) * std::visit(pdf, lights_[light]);
+}
+
+std::optional<std::size_t> Scene::light_of(const Hit& hit) const {
+    const std::size_t light = light_of_shape_[hit.shape];
+    return light == lights_.size() ? std::nullopt : std::optional(light);
 }
 
 double Scene::environment_pdf(Vec3 from, Vec3 direction) const {
@@ -132,21 +140,10 @@ std::optional<SceneLightRay> Scene::sample_light_ray(double u, const Point<2>& o
     return SceneLightRay{ray, index, chance};
 }
 
-EmittedRayPdf Scene::light_ray_pdf(const Hit& hit, Vec3 direction) const {
-    const std::size_t index = light_of_shape_[hit.shape];
-    if (index == lights_.size() || !(dot(hit.point.normal, direction) > 0)) return {0, 0};
-    return ray_pdf(index, hit.point.normal, direction);
-}
-
-EmittedRayPdf Scene::environment_ray_pdf(Vec3 direction) const {
-    if (!environment_) return {0, 0};
-    return ray_pdf(*environment_, {}, direction);
-}
-
-EmittedRayPdf Scene::ray_pdf(std::size_t index, Vec3 normal, Vec3 direction) const {
+EmittedRayPdf Scene::light_ray_pdf(std::size_t light, Vec3 normal, Vec3 direction) const {
     EmittedRayPdf pdf =
-        std::visit([&](const auto& light) { return light.ray_pdf(ball_, normal, direction); }, lights_[index]);
-    pdf.area *= chooser_->pmf(index);
+        std::visit([&](const auto& emitter) { return emitter.ray_pdf(ball_, normal, direction); }, lights_[light]);
+    pdf.area *= chooser_->pmf(light);
     return pdf;
 }
 

@@ -15,6 +15,7 @@ namespace plumb {
 struct SceneLightSample {
     EmitterSample sample;
     double pdf = 0;
+    std::size_t light = 0;  ///< index into lights()
 };
 
 /// A ray of a light of the scene.
@@ -49,15 +50,19 @@ public:
     [[nodiscard]] std::optional<SceneLightSample> sample_light(Vec3 from, double u, const Point<2>& v) const;
     /// The density, per steradian, with which sample_light(from) would have found the emitter that a ray met.
     [[nodiscard]] double light_pdf(const Hit& hit, Vec3 from, Vec3 direction) const;
+    /// The same for this light, which has a surface, at a point where it shines to the side of `normal`.
+    [[nodiscard]] double light_pdf(std::size_t light, Vec3 position, Vec3 normal, Vec3 from, Vec3 direction) const;
     [[nodiscard]] double environment_pdf(Vec3 from, Vec3 direction) const;
 
     /// Chooses a light by its power and a ray that it sends; empty without lights.
     [[nodiscard]] std::optional<SceneLightRay> sample_light_ray(double u, const Point<2>& origin,
                                                                 const Point<2>& direction) const;
-    /// The densities of such a ray along `direction`, which leaves the light or comes from the environment: `area`
-    /// includes the choice of the light. 0 from where nothing shines.
-    [[nodiscard]] EmittedRayPdf light_ray_pdf(const Hit& hit, Vec3 direction) const;
-    [[nodiscard]] EmittedRayPdf environment_ray_pdf(Vec3 direction) const;
+    /// The densities of such a ray of this light along `direction`, from where it shines to the side of `normal` (an
+    /// environment, a point: any); `area` includes the choice of the light.
+    [[nodiscard]] EmittedRayPdf light_ray_pdf(std::size_t light, Vec3 normal, Vec3 direction) const;
+    /// The light that a hit surface is, and the environment.
+    [[nodiscard]] std::optional<std::size_t> light_of(const Hit& hit) const;
+    [[nodiscard]] std::optional<std::size_t> environment_light() const { return environment_; }
     /// Around all shapes: environments shine into it.
     [[nodiscard]] const Ball& ball() const { return ball_; }
 
@@ -67,7 +72,6 @@ public:
 
 private:
     [[nodiscard]] const description::Shape& shape(const Hit& hit) const { return description_.shapes[hit.shape]; }
-    [[nodiscard]] EmittedRayPdf ray_pdf(std::size_t light, Vec3 normal, Vec3 direction) const;
     [[nodiscard]] double opacity(const Hit& hit) const { return materials_.opacity(shape(hit).material, hit.uv); }
 
     description::Scene description_;
