@@ -18,6 +18,8 @@ const std::vector<NamedIntegrator>& integrators() {
     static const std::vector<NamedIntegrator> all{
         {"aov", "what is seen first: albedo, with normal and depth", "ours, integrators/aov.h",
          [](const PathLimits&) -> std::unique_ptr<PathEstimator> { return std::make_unique<Aov>(); }},
+        {"bdpt", "all light: subpaths from the sensor and from a light, connected in all ways", "Veach & Guibas 1994",
+         [](const PathLimits& limits) -> std::unique_ptr<PathEstimator> { return std::make_unique<Bdpt>(limits); }},
         {"direct", "direct light by samples of emitters and of BSDFs, power heuristic", "Veach & Guibas 1995",
          direct<LightTechniques::both>},
         {"direct-bsdf", "direct light by samples of BSDFs alone", "Veach & Guibas 1995", direct<LightTechniques::bsdf>},

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "integrators/bdpt.h"
 #include "integrators/light.h"
 #include "integrators/path.h"
 
