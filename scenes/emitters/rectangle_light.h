@@ -19,8 +19,7 @@ public:
     }
 
     [[nodiscard]] std::optional<EmitterSample> sample(Vec3 from, const Point<2>& u) const {
-        return sample_towards(from, disk_point(corner_ + u[0] * edge_1_ + u[1] * edge_2_, normal_), radiance_,
-                              pdf_area());
+        return sample_towards(from, point_of(u[0], u[1]), radiance_, pdf_area());
     }
     [[nodiscard]] std::optional<EmitterHit> hit(Vec3 from, Vec3 direction) const {
         const auto plane = meet_plane(from, direction, corner_, normal_);
@@ -34,6 +33,13 @@ public:
     [[nodiscard]] Spectrum power(double) const { return lambertian_power(radiance_, area_); }
 
 private:
+    /// Rays meet it as two triangles, whose common side leaves the corner.
+    [[nodiscard]] SurfacePoint point_of(double s, double t) const {
+        const Vec3 opposite = corner_ + edge_1_ + edge_2_;
+        return s >= t ? triangle_point({corner_, corner_ + edge_1_, opposite}, s - t, t)
+                      : triangle_point({corner_, opposite, corner_ + edge_2_}, s, t - s);
+    }
+
     Vec3 corner_, edge_1_, edge_2_, normal_;
     Spectrum radiance_;
     double area_;
