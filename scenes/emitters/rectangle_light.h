@@ -39,8 +39,12 @@ public:
     [[nodiscard]] Spectrum power(double) const { return lambertian_power(radiance_, area_); }
 
 private:
+    /// Rays meet it as two triangles, whose common side leaves the corner.
     [[nodiscard]] SurfacePoint at(const Point<2>& u) const {
-        return disk_point(corner_ + u[0] * edge_1_ + u[1] * edge_2_, normal_);
+        const auto& [s, t] = u;
+        const Vec3 opposite = corner_ + edge_1_ + edge_2_;
+        return s >= t ? triangle_point({corner_, corner_ + edge_1_, opposite}, s - t, t)
+                      : triangle_point({corner_, opposite, corner_ + edge_2_}, s, t - s);
     }
 
     Vec3 corner_, edge_1_, edge_2_, normal_;

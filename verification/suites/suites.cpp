@@ -33,6 +33,12 @@ Catalogue shipped_catalogue() {
     add_light_rate_claims(catalogue);
     add_camera_claims(catalogue);
     add_film_claims(catalogue);
+    add_direct_closed_form_claims(catalogue);
+    add_direct_known_claims(catalogue);
+    add_direct_pixel_claims(catalogue);
+    add_direct_rate_claims(catalogue);
+    add_direct_technique_claims(catalogue);
+    add_direct_visibility_claims(catalogue);
     add_surface_claims(catalogue);
     add_texture_claims(catalogue);
     add_bsdf_model_claims(catalogue);
