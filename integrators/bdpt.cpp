@@ -86,7 +86,8 @@ private:
         if (weight == 0) return;
         const EmitterSample end{direction, distance, {}, 0, Measure::solid_angle, y.point};
         const double arrives = scene_.transmittance(x.point, end, record_.rays);
-        const double scale = weight * arrives * bdpt_.rules.correction(*y.surface, -direction) / (distance * distance);
+        const double scale =
+            weight * arrives * bdpt_.rules.correction(*y.surface, -direction) * bdpt_.rules.falloff(x, y);
         add(start_.film, x.throughput * f_x * f_y * y.throughput * scale, s + t - 1, false);
     }
 
@@ -119,6 +120,11 @@ private:
 };
 
 }  // namespace
+
+Bdpt::Bdpt(const PathLimits& limits) {
+    rules.limits = limits;
+    if (limits.strategy) weight = strategy_alone(*limits.strategy);
+}
 
 void Bdpt::trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, PathRecord& record) const {
     record.clear();

@@ -19,15 +19,12 @@ struct Bdpt final : PathEstimator {
     StrategyWeight weight = strategy_weight;
 
     Bdpt() = default;
-    explicit Bdpt(const PathLimits& limits) { rules.limits = limits; }
+    explicit Bdpt(const PathLimits& limits);
     void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
                PathRecord& record) const override;
 };
 
-/// A strategy alone: the paths of s + t − 1 edges as it makes them, unweighted.
-struct Strategy {
-    int s = 0, t = 2;
-};
+/// 1 for a strategy, 0 for others: the paths of s + t − 1 edges as it makes them.
 StrategyWeight strategy_alone(const Strategy& strategy);
 
 }  // namespace plumb

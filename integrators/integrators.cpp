@@ -1,7 +1,11 @@
 #include "integrators/integrators.h"
 
+#include <fmt/format.h>
+
+#include "core/error.h"
 #include "integrators/aov.h"
 #include "integrators/direct.h"
+#include "integrators/one_length.h"
 
 namespace plumb {
 
@@ -44,6 +48,16 @@ const NamedIntegrator& find_integrator(const std::string& id) {
         known.push_back(integrator.id);
     }
     throw unknown_name("integrator", id, known);
+}
+
+std::unique_ptr<PathEstimator> make_integrator(const std::string& id, PathLimits limits) {
+    const NamedIntegrator& named = find_integrator(id);
+    if (limits.strategy && id != "bdpt")
+        throw Error(fmt::format("a strategy of the integrator '{}'; accepted is bdpt", id));
+    if (limits.length > 0 && limits.max_edges < 0) limits.max_edges = limits.length;  // no longer path is asked for
+    auto estimator = named.make(limits);
+    if (limits.length == 0) return estimator;
+    return std::make_unique<OneLength>(std::move(estimator), limits.length);
 }
 
 }  // namespace plumb

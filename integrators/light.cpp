@@ -24,7 +24,7 @@ void LightTracer::trace_from_light(const Scene& scene, PrimarySamples& samples, 
         if (!vertex) return;
         record.light_vertices.push_back(*vertex);
         splat(scene, *vertex, start->light.ray.weight * throughput, edges + 1, samples, record);
-        const auto sample = sample_importance(*vertex, number, samples, correction);
+        const auto sample = sample_importance(*vertex, number, samples, correction, carries);
         if (!sample) return;
         throughput *= sample->weight;
         if (is_black(throughput)) return;

@@ -13,6 +13,7 @@ struct LightTracer final : PathEstimator {
     SensorConnection connection = connect_to_lens;
     ShadingCorrection correction = shading_correction;
     Survival survival = survive_by_throughput;
+    Transport carries = Transport::importance;
 
     LightTracer() = default;
     explicit LightTracer(const PathLimits& path_limits) : limits(path_limits) {}

@@ -13,8 +13,8 @@ std::optional<LightStart> start_at_light(const Scene& scene, PrimarySamples& sam
 }
 
 std::optional<ScatterSample> sample_importance(const PathVertex& vertex, std::uint16_t number, PrimarySamples& samples,
-                                               ShadingCorrection correction) {
-    auto sample = sample_bsdf(vertex, number, samples, Transport::importance);
+                                               ShadingCorrection correction, Transport carries) {
+    auto sample = sample_bsdf(vertex, number, samples, carries);
     if (sample) sample->weight *= correction(vertex, sample->direction);
     return sample;
 }

@@ -17,7 +17,7 @@ std::optional<LightStart> start_at_light(const Scene& scene, PrimarySamples& sam
 
 /// A direction that importance leaves a vertex of a light's subpath by: sample_bsdf with the correction in its weight.
 std::optional<ScatterSample> sample_importance(const PathVertex& vertex, std::uint16_t number, PrimarySamples& samples,
-                                               ShadingCorrection correction);
+                                               ShadingCorrection correction, Transport carries = Transport::importance);
 
 /// The lens (a pinhole is one) from a point of the scene; empty where it is not seen.
 using SensorConnection = std::optional<SensorSample> (*)(const Scene& scene, Vec3 from, const Point<2>& lens);

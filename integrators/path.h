@@ -6,10 +6,17 @@
 
 namespace plumb {
 
+/// A way to make a path from two ends: s vertices from the light and t from the sensor, of s + t − 1 edges.
+struct Strategy {
+    int s = 0, t = 2;
+};
+
 /// Which paths are estimated. Edges count from the sensor: 1 is an emitter seen directly, 2 direct light.
 struct PathLimits {
-    int max_edges = -1;      ///< longer paths count as black; -1: none is too long
-    int roulette_edges = 5;  ///< paths of as many edges may end by Russian roulette
+    int max_edges = -1;                     ///< longer paths count as black; -1: none is too long
+    int roulette_edges = 5;                 ///< paths of as many edges may end by Russian roulette
+    int length = 0;                         ///< only paths of so many edges; 0: of all
+    std::optional<Strategy> strategy = {};  ///< of `bdpt`: this one alone, unweighted
 
     [[nodiscard]] bool allow(int edges) const { return max_edges < 0 || edges <= max_edges; }
 };

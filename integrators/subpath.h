@@ -34,12 +34,20 @@ using Subpath = std::vector<SubpathVertex>;
 double per_area(double pdf, const SubpathVertex& from, const SubpathVertex& to);
 using PerArea = double (*)(double pdf, const SubpathVertex& from, const SubpathVertex& to);
 
-/// How subpaths grow: functions, so that a claim can put others in their place.
+/// 1/d²: with the cosines, which scattering has, dω → dA between two surfaces that see each other.
+inline double falloff(const SubpathVertex& x, const SubpathVertex& y) {
+    return 1 / length_squared(y.position() - x.position());
+}
+using Falloff = double (*)(const SubpathVertex& x, const SubpathVertex& y);
+
+/// How subpaths grow and meet: functions, so that a claim can put others in their place.
 struct SubpathRules {
     PathLimits limits;
     Survival survival = survive_by_throughput;
     ShadingCorrection correction = shading_correction;
     PerArea per_area = plumb::per_area;
+    Falloff falloff = plumb::falloff;
+    Transport from_light = Transport::importance;  ///< what a light's subpath carries
 };
 
 /// The density with which light or importance that reaches `at` from `before` goes on to `next`; `before` is null where
