@@ -15,27 +15,57 @@ struct BsdfSubject {
     std::function<double(Vec3 wo)> discrete;
 };
 
-/// Any type with eval, pdf and sample under the conventions of scenes/bsdf_model.h; the transport argument may be left
-/// out by a model without transmission, discrete by any.
+// The conventions of scenes/bsdf_model.h; the transport argument may be left out by a model without transmission,
+// discrete by any.
+template <class Model>
+concept EvaluatesByTransport = requires(const Model& model, Vec3 wo, Vec3 wi, Transport transport) {
+    { model.eval(wo, wi, transport) } -> std::convertible_to<Spectrum>;
+};
+template <class Model>
+concept Evaluates = EvaluatesByTransport<Model> || requires(const Model& model, Vec3 wo, Vec3 wi) {
+    { model.eval(wo, wi) } -> std::convertible_to<Spectrum>;
+};
+template <class Model>
+concept HasPdf = requires(const Model& model, Vec3 wo, Vec3 wi) {
+    { model.pdf(wo, wi) } -> std::convertible_to<double>;
+};
+template <class Model>
+concept SamplesByTransport = requires(const Model& model, Vec3 wo, const std::array<double, 3>& u,
+                                      Transport transport) {
+    { model.sample(wo, u, transport) } -> std::convertible_to<std::optional<BsdfSample>>;
+};
+template <class Model>
+concept Samples = SamplesByTransport<Model> || requires(const Model& model, Vec3 wo, const std::array<double, 3>& u) {
+    { model.sample(wo, u) } -> std::convertible_to<std::optional<BsdfSample>>;
+};
+
+/// Any type with eval, pdf and sample. It is copied, and its functions are called from several threads.
 template <class Model>
 BsdfSubject subject_of(const Model& model) {
-    using U = std::array<double, 3>;
+    static_assert(Evaluates<Model>, "needs: Spectrum eval(Vec3 wo, Vec3 wi) const, or (wo, wi, Transport)");
+    static_assert(HasPdf<Model>, "needs: double pdf(Vec3 wo, Vec3 wi) const");
+    static_assert(Samples<Model>,
+                  "needs: std::optional<BsdfSample> sample(Vec3 wo, const std::array<double, 3>& u) const, or (wo, u, "
+                  "Transport)");
     BsdfSubject subject;
-    subject.eval = [model](Vec3 wo, Vec3 wi, Transport transport) {
-        if constexpr (requires { model.eval(wo, wi, transport); })
-            return Spectrum{model.eval(wo, wi, transport)};
-        else
-            return Spectrum{model.eval(wo, wi)};
-    };
-    subject.pdf = [model](Vec3 wo, Vec3 wi) { return model.pdf(wo, wi); };
-    subject.sample = [model](Vec3 wo, const U& u, Transport transport) {
-        if constexpr (requires { model.sample(wo, u, transport); })
-            return std::optional<BsdfSample>{model.sample(wo, u, transport)};
-        else
-            return std::optional<BsdfSample>{model.sample(wo, u)};
-    };
-    if constexpr (requires(Vec3 wo) { model.discrete(wo); })
-        subject.discrete = [model](Vec3 wo) { return model.discrete(wo); };
+    if constexpr (Evaluates<Model> && HasPdf<Model> && Samples<Model>) {  // else the messages above are all there is
+        subject.eval = [model](Vec3 wo, Vec3 wi, Transport transport) -> Spectrum {
+            if constexpr (EvaluatesByTransport<Model>)
+                return model.eval(wo, wi, transport);
+            else
+                return model.eval(wo, wi);
+        };
+        subject.pdf = [model](Vec3 wo, Vec3 wi) -> double { return model.pdf(wo, wi); };
+        subject.sample = [model](Vec3 wo, const std::array<double, 3>& u,
+                                 Transport transport) -> std::optional<BsdfSample> {
+            if constexpr (SamplesByTransport<Model>)
+                return model.sample(wo, u, transport);
+            else
+                return model.sample(wo, u);
+        };
+        if constexpr (requires(Vec3 wo) { model.discrete(wo); })
+            subject.discrete = [model](Vec3 wo) -> double { return model.discrete(wo); };
+    }
     return subject;
 }
 

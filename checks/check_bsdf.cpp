@@ -2,7 +2,7 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <ostream>
 
 #include "checks/lobes.h"
 #include "checks/sphere_grid.h"
@@ -16,11 +16,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double quadrature_tolerance = 5e-5;
 constexpr std::size_t quadrature_evaluations = 40'000;
-
-std::string name_of(Vec3 wo) {
-    const double degrees = std::acos(std::min(1.0, std::abs(wo.z))) * 180 / std::numbers::pi;
-    return fmt::format("{:.3g}° {}", degrees, wo.z > 0 ? "outside" : "inside");
-}
 
 std::array<double, 3> uniforms(RandomStream& random) {
     return {random.uniform(), random.uniform(), random.uniform()};
@@ -118,18 +113,6 @@ DirectionCells cells_at(const BsdfSubject& bsdf, const BsdfTraits& traits, Vec3 
 
 }  // namespace
 
-std::vector<Vec3> check_directions() {
-    std::vector<Vec3> directions;
-    const auto add = [&](double degrees, double side) {
-        const double tilt = degrees * std::numbers::pi / 180, turn = 2.4 * static_cast<double>(directions.size());
-        directions.push_back({std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), side * std::cos(tilt)});
-    };
-    for (const double degrees : {0., 10., 20., 30., 40., 50., 60., 70., 75., 80., 83., 85., 87., 88.5, 89.5})
-        add(degrees, 1);
-    for (const double degrees : {0., 15., 30., 40., 43., 50., 60., 75., 85., 89.5}) add(degrees, -1);
-    return directions;
-}
-
 Verdict samples_follow_pdf(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run) {
     const std::vector<Vec3> directions = check_directions();
     std::vector<std::optional<DirectionCells>> tables(directions.size());
@@ -149,7 +132,14 @@ Verdict samples_follow_pdf(const BsdfSubject& bsdf, const BsdfTraits& traits, co
         const std::size_t i = random.below(directions.size());
         return first[i] + tables[i]->cell(bsdf.sample(directions[i], uniforms(random), Transport::importance));
     };
-    return distribution_is(draw, claim, run);
+    Verdict verdict = distribution_is(draw, claim, run);
+    for (auto& [name, value] : verdict.evidence) {
+        if (name != "worst_cell") continue;
+        const auto after = std::ranges::upper_bound(first, std::get<std::uint64_t>(value));
+        verdict.reason +=
+            fmt::format(", wo {}", name_of(directions[static_cast<std::size_t>(after - first.begin()) - 1]));
+    }
+    return verdict;
 }
 
 // ---- pdf() against sample()'s Jacobian
@@ -317,14 +307,27 @@ Verdict conserves_energy(const BsdfSubject& bsdf, const BsdfTraits& traits, doub
     return within_bound(cases, tolerance, "of the light");
 }
 
+std::ostream& operator<<(std::ostream& out, const NamedVerdict& named) {
+    return out << named.property << ": " << named.verdict;
+}
+
 std::vector<NamedVerdict> check_bsdf(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run) {
-    return {{"sample", samples_follow_pdf(bsdf, traits, run)},
-            {"pdf", pdf_is_inverse_jacobian(bsdf)},
-            {"weight", weight_is_eval_over_pdf(bsdf, run.part("weight"))},
-            {"mass", masses_match(bsdf, traits)},
-            {"reciprocity", is_reciprocal(bsdf, traits, run.part("reciprocity"))},
-            {"eta-squared", radiance_scales_by_eta_squared(bsdf, traits, run.part("eta-squared"))},
-            {"energy", conserves_energy(bsdf, traits)}};
+    const std::vector<std::pair<std::string, std::function<Verdict()>>> others{
+        {"sample", [&] { return samples_follow_pdf(bsdf, traits, run); }},
+        {"pdf", [&] { return pdf_is_inverse_jacobian(bsdf); }},
+        {"weight", [&] { return weight_is_eval_over_pdf(bsdf, run.part("weight")); }},
+        {"mass", [&] { return masses_match(bsdf, traits); }},
+        {"reciprocity", [&] { return is_reciprocal(bsdf, traits, run.part("reciprocity")); }},
+        {"eta-squared", [&] { return radiance_scales_by_eta_squared(bsdf, traits, run.part("eta-squared")); }},
+        {"energy", [&] { return conserves_energy(bsdf, traits); }}};
+    std::vector<NamedVerdict> all{{"values", values_are_sound(bsdf, run.part("values"))}};
+    const bool sound = all[0].verdict.outcome != Outcome::refuted;
+    for (const auto& [property, check] : others) {
+        Verdict verdict;
+        verdict.reason = "not tried, because the values are refuted";
+        all.push_back({property, sound ? check() : verdict});
+    }
+    return all;
 }
 
 }  // namespace plumb::checks

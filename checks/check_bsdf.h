@@ -1,9 +1,11 @@
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
 #include "checks/bsdf_subject.h"
+#include "checks/directions.h"
 #include "verification/run.h"
 #include "verification/verdict.h"
 
@@ -11,15 +13,16 @@ namespace plumb::checks {
 
 /// What the checks must know of a model.
 struct BsdfTraits {
-    double roughness = 1;   ///< of its narrowest smooth lobe, as Beckmann's or Trowbridge's alpha; 1 for a diffuse one
+    double roughness = 1;   ///< of its narrowest smooth lobe, as Beckmann's or Trowbridge's alpha in [1e-6, 1]
     double eta = 1;         ///< index inside over index outside, where it refracts
     bool lossless = false;  ///< all that arrives from above leaves again
 };
 
-/// 25 directions: outside from the normal to half a degree above the surface, then inside likewise.
-std::vector<Vec3> check_directions();
+// Each holds, or is refuted, at every one of check_directions(). "Bounded" ones state their bound in the reason.
 
-// Each holds, or is refuted, at every one of those directions. "Bounded" ones state their bound in the reason.
+/// eval(), pdf() and what sample() gives are finite and not negative, directions have unit length, eval() is 0 where
+/// pdf() is, and sample() scatters where pdf() says so. Undecided for a model that never scatters.
+Verdict values_are_sound(const BsdfSubject& bsdf, const Run& run);
 
 /// Does sample() follow pdf()? One chi-square over all directions at once, in cells of about equal mass that follow the
 /// lobes; discrete and lost samples are cells.
@@ -43,13 +46,18 @@ struct NamedVerdict {
     std::string property;
     Verdict verdict;
 };
+std::ostream& operator<<(std::ostream& out, const NamedVerdict& named);  ///< "property: " and describe(verdict)
+
+/// Everything above: the properties values, sample, pdf, weight, mass, reciprocity, eta-squared and energy. Where the
+/// values are refuted, the others are not tried, and are undecided.
 std::vector<NamedVerdict> check_bsdf(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
 
-/// Everything above, for any type with eval, pdf and sample under the conventions of scenes/bsdf_model.h. A true model
-/// is refuted with probability at most 1e-4.
+/// The same for any type with eval, pdf and sample under the conventions of scenes/bsdf_model.h. A true model is
+/// refuted with probability at most run.alpha().
 template <class Model>
-std::vector<NamedVerdict> check_bsdf(const Model& model, const BsdfTraits& traits = {}, std::uint64_t seed = 1) {
-    return check_bsdf(subject_of(model), traits, Run(seed, "check_bsdf", 1e-4));
+requires(!std::same_as<Model, BsdfSubject>) std::vector<NamedVerdict> check_bsdf(
+    const Model& model, const BsdfTraits& traits = {}, const Run& run = Run(1, "check_bsdf", 1e-4)) {
+    return check_bsdf(subject_of(model), traits, run);
 }
 
 }  // namespace plumb::checks

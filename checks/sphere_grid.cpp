@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/error.h"
+
 namespace plumb::checks {
 namespace {
 
@@ -34,6 +36,10 @@ std::size_t interval_of(const std::vector<double>& ends, double x) {
 
 SphereGrid::SphereGrid(Vec3 wo, double roughness, double eta)
     : polar_{0, pi / 2, pi}, azimuth_{-pi, -pi / 2, pi / 2, pi} {
+    if (!(roughness >= 1e-6 && roughness <= 1))
+        throw Error(fmt::format(
+            "roughness is {}; accepted: 1e-6 to 1, the narrowest smooth lobe's, 1 where all are discrete", roughness));
+    if (!(eta > 0 && std::isfinite(eta))) throw Error(fmt::format("eta is {}; an index above 0 is accepted", eta));
     const double sine = std::hypot(wo.x, wo.y), tilt = std::atan2(sine, std::abs(wo.z));
     forward_ = sine > 0 ? Vec3{-wo.x / sine, -wo.y / sine, 0} : Vec3{1, 0, 0};
     const double scale = roughness / 2, across = wo.z > 0 ? eta : 1 / eta;

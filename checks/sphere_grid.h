@@ -12,7 +12,7 @@ namespace plumb::checks {
 /// the horizon and the poles.
 class SphereGrid {
 public:
-    /// eta: index inside over index outside.
+    /// roughness in [1e-6, 1], eta: index inside over index outside, > 0. Throws Error on others.
     SphereGrid(Vec3 wo, double roughness, double eta);
 
     [[nodiscard]] const std::vector<Rectangle>& rectangles() const { return rectangles_; }

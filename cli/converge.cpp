@@ -2,6 +2,7 @@
 
 #include "analytic/integrand.h"
 #include "cli/commands.h"
+#include "cli/converge_scene.h"
 #include "cli/run_info.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -33,8 +34,20 @@ void check_names(const ConvergeOptions& options) {
     ConvergeOptions nothing = options;
     nothing.n.clear();
     const Run run(0, "names", 1);
-    for (const std::string& integrand : options.integrands)
-        for (const std::string& estimator : options.estimators) measure_any(estimator, integrand, nothing, run);
+    for (const std::string& on : options.integrands) {
+        if (names_scene(on)) {
+            check_scene_methods(options.estimators);
+            continue;
+        }
+        for (const std::string& estimator : options.estimators) measure_any(estimator, on, nothing, run);
+    }
+}
+
+std::vector<Series> measure_all(const std::string& on, const ConvergeOptions& options, const Run& run) {
+    if (names_scene(on)) return converge_on_scene(on, options, run);
+    std::vector<Series> series;
+    for (const std::string& estimator : options.estimators) series.push_back(measure_any(estimator, on, options, run));
+    return series;
 }
 
 }  // namespace
@@ -50,11 +63,10 @@ int converge(const ConvergeOptions& options) {
     {
         ProgressLine line;
         with_threads(info.threads, [&] {
-            for (const std::string& integrand : options.integrands)
-                for (const std::string& estimator : options.estimators) {
-                    line.show(estimator + " on " + integrand);
-                    series.push_back(measure_any(estimator, integrand, options, run));
-                }
+            for (const std::string& on : options.integrands) {
+                line.show(fmt::format("{} on {}", fmt::join(options.estimators, ", "), on));
+                for (Series& one : measure_all(on, options, run)) series.push_back(std::move(one));
+            }
         });
     }
     info.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

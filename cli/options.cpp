@@ -115,7 +115,10 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
 void add_list(CLI::App& app, ListOptions& options, VerbSet verbs) {
     const bool shipped = verbs == VerbSet::shipped;
     CLI::App* verb = app.add_subcommand("list", "List what Plumb knows");
-    verb->add_option("what", options.what, shipped ? "claims, mutants, integrands or estimators" : "claims or mutants")
+    verb->add_option("what", options.what,
+                     shipped ? "claims, mutants, integrands, estimators, integrators, scenes, bsdfs, emitters, "
+                               "sensors, shapes or textures"
+                             : "claims or mutants")
         ->required();
     verb->add_flag("--json", options.json, "as JSON, to standard output");
     verb->footer(shipped ? "Example: plumb list integrands --json" : "Example: list claims --json");
@@ -123,9 +126,13 @@ void add_list(CLI::App& app, ListOptions& options, VerbSet verbs) {
 
 void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) {
     CLI::App* verb = app.add_subcommand("converge", "Measure error against samples, evaluations and seconds");
-    verb->add_option("estimators", options.estimators, "e.g. independent torus-tent; see plumb list estimators")
+    verb->add_option(
+            "estimators", options.estimators,
+            "e.g. independent torus-tent, or on scenes direct, direct+sobol; see plumb list estimators|integrators")
         ->required();
-    verb->add_option("--on", options.integrands, "integrands, e.g. exp; see plumb list integrands")->required();
+    verb->add_option("--on", options.integrands,
+                     "integrands, e.g. exp, or scenes: SCENE, SCENE:x,y (a pixel), SCENE:x,y,width,height")
+        ->required();
     verb->add_option("--n", counts, "sample counts: first..last (doubling) or a list a,b,c")
         ->check(checked(parse_sample_counts))
         ->capture_default_str();
@@ -135,7 +142,9 @@ void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) 
     add_seed_and_threads(verb, options.seed, options.threads);
     verb->add_option("--json", options.json, "write the series as JSON to this file");
     verb->add_option("--report", options.report, "the page with the plots")->capture_default_str();
-    verb->footer("Example: plumb converge independent torus-tent --on exp --n 16..4096");
+    verb->footer(
+        "Examples: plumb converge independent torus-tent --on exp --n 16..4096\n"
+        "          plumb converge direct direct+sobol --on cornell_box:64,64");
 }
 
 void add_study(CLI::App& app, StudyOptions& options) {
@@ -205,6 +214,13 @@ void add_render(CLI::App& app, RenderOptions& options, std::vector<std::string>&
     verb->add_option("scene", options.scene, "a scene in Mitsuba's XML, or the name of a shipped one")->required();
     verb->add_option("--integrator", options.integrator, "see plumb list integrators")->capture_default_str();
     verb->add_option("--sampler", options.sampler, "independent, stratified or sobol")->capture_default_str();
+    verb->add_option("--max-depth", options.max_depth,
+                     "longest paths of `path`, in edges from the sensor (1: lights seen directly); -1: no limit")
+        ->check(CLI::Range(-1, 30000))
+        ->capture_default_str();
+    verb->add_option("--rr-depth", options.roulette_depth, "Russian roulette begins behind so many edges")
+        ->check(CLI::Range(0, 30000))
+        ->capture_default_str();
     CLI::Option* spp = verb->add_option("--spp", options.samples_per_pixel, "samples a pixel")
                            ->check(CLI::Range(1u, 1u << 24))
                            ->capture_default_str();

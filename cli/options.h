@@ -88,6 +88,7 @@ struct WeightsOptions {
 struct RenderOptions {
     std::string scene;  ///< a file, or the name of a shipped one
     std::string integrator = "direct", sampler = "independent";
+    int max_depth = -1, roulette_depth = 5;  ///< in edges; -1: no limit
     std::uint32_t samples_per_pixel = 64;
     std::optional<std::chrono::duration<double>> time;  ///< instead
     std::vector<int> crop;                              ///< x, y, width, height; empty: the whole film

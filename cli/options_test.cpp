@@ -71,6 +71,7 @@ TEST(Options, NameTheNearestKnownWord) {
 TEST(Options, SayWhatAValueMayBe) {
     EXPECT_THAT(complaint("verify", "--alpha", "2"), testing::HasSubstr("(0, 1)"));
     EXPECT_THAT(complaint("verify", "--threads", "0"), testing::HasSubstr("--threads"));
+    EXPECT_THAT(complaint("render", "glass", "--spp", "0"), testing::HasSubstr("--spp"));
     EXPECT_THAT(complaint("verify", "--time-limit", "soon"), testing::HasSubstr("1.5m"));
     EXPECT_THAT(complaint("converge", "torus", "--on", "exp", "--n", "64..16"), testing::HasSubstr("backwards"));
     EXPECT_THAT(complaint("verify", "--seed", "-1"), testing::HasSubstr("from 0 to 2^64 - 1"));

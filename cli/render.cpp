@@ -11,6 +11,7 @@
 #include "integrators/sampler.h"
 #include "reports/json.h"
 #include "scenes/mitsuba_xml.h"
+#include "scenes/shipped.h"
 
 namespace plumb {
 namespace {
@@ -20,6 +21,11 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Scenes often lie in a folder of their own name, as scene.xml.
+std::string name_of(const fs::path& file) {
+    return file.stem() == "scene" ? fs::absolute(file).parent_path().filename().string() : file.stem().string();
 }
 
 void print_notes(const description::Scene& scene) {
@@ -37,10 +43,11 @@ FilmRegion crop_of(const std::vector<int>& crop, FilmSize film) {
 std::map<std::string, std::string> metadata(const RenderOptions& options, const RenderSettings& settings,
                                             const Scene& scene, const Film& film, const RunInfo& info) {
     const FilmRegion& crop = settings.crop;
-    return {{"plumb:scene", fs::path(options.scene).filename().string()},
+    return {{"plumb:scene", name_of(scene_file(options.scene))},
             {"plumb:scene_hash", fmt::format("{:016x}", scene.description().content_hash)},
             {"plumb:integrator", options.integrator},
             {"plumb:sampler", settings.sampler},
+            {"plumb:max_depth", fmt::format("{}", options.max_depth)},
             {"plumb:seed", fmt::format("{}", settings.seed)},
             {"plumb:spp", fmt::format("{}", film.replicates() * settings.samples_per_pass)},
             {"plumb:replicates", fmt::format("{}", film.replicates())},
@@ -105,9 +112,9 @@ void print_bad_values(const BadValues& bad) {
 }  // namespace
 
 int render(const RenderOptions& options) {
-    const auto estimator = find_integrator(options.integrator).make();
-    const fs::path out = options.out.empty() ? fs::path("out") / (fs::path(options.scene).stem().string() + ".exr")
-                                             : fs::path(options.out);
+    const auto estimator = find_integrator(options.integrator).make({options.max_depth, options.roulette_depth});
+    const fs::path file = scene_file(options.scene);
+    const fs::path out = options.out.empty() ? fs::path("out") / (name_of(file) + ".exr") : fs::path(options.out);
     check_writable(out);
     RunInfo info = start_run(options.seed, options.threads);
     RenderSettings settings{.sampler = options.sampler, .seed = info.seed};
@@ -116,7 +123,7 @@ int render(const RenderOptions& options) {
     else
         settings = with_samples(settings, options.samples_per_pixel);
     Sampler(settings.sampler, 1);  // knows the name, or says so before the work begins
-    const Scene scene(load_mitsuba(options.scene, {options.definitions, options.lenient}));
+    const Scene scene(load_mitsuba(file, {options.definitions, options.lenient}));
     print_notes(scene.description());
     settings.crop = crop_of(options.crop, scene.sensor().film());
 

@@ -1,6 +1,9 @@
 #include "analytic/integrand.h"
 #include "cli/commands.h"
 #include "estimators/estimator.h"
+#include "integrators/integrators.h"
+#include "scenes/plugins.h"
+#include "scenes/shipped.h"
 
 namespace plumb {
 namespace {
@@ -29,6 +32,27 @@ void append_estimators(std::vector<ListRow>& rows) {
                         {"source", e.source}});
 }
 
+std::vector<ListRow> integrator_rows() {
+    std::vector<ListRow> rows;
+    for (const NamedIntegrator& i : integrators())
+        rows.push_back({{"id", i.id}, {"summary", i.summary}, {"source", i.source}});
+    return rows;
+}
+
+std::vector<ListRow> scene_rows() {
+    std::vector<ListRow> rows;
+    for (const ShippedScene& scene : shipped_scenes())
+        rows.push_back({{"id", scene.name}, {"question", scene.question}, {"file", scene.file.string()}});
+    return rows;
+}
+
+std::vector<ListRow> plugin_rows(std::string_view kind) {
+    std::vector<ListRow> rows;
+    for (const Plugin& plugin : known_plugins())
+        if (plugin.kind == kind) rows.push_back({{"id", plugin.name}, {"summary", plugin.summary}});
+    return rows;
+}
+
 template <auto append_1d, auto append_2d>
 std::vector<ListRow> both_dimensions() {
     std::vector<ListRow> rows;
@@ -43,6 +67,10 @@ Lists shipped_lists(const Catalogue& catalogue) {
     Lists lists = catalogue_lists(catalogue);
     lists["integrands"] = both_dimensions<append_integrands<1>, append_integrands<2>>;
     lists["estimators"] = both_dimensions<append_estimators<1>, append_estimators<2>>;
+    lists["integrators"] = integrator_rows;
+    lists["scenes"] = scene_rows;
+    for (const char* kind : {"bsdf", "emitter", "sensor", "shape", "texture"})
+        lists[std::string(kind) + "s"] = [kind] { return plugin_rows(kind); };
     return lists;
 }
 

@@ -24,8 +24,8 @@ struct CatalogueVerbs {
     }
 };
 
-/// The body of main(): an exception, or standard output that cannot be written, becomes one line on standard error, after
-/// the program's name, and exit code 2.
+/// The body of main(): an exception, or standard output that cannot be written, becomes one line on standard error,
+/// after the program's name, and exit code 2.
 int reporting_errors(char** argv, const std::function<int()>& body);
 
 }  // namespace plumb

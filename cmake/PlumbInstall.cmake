@@ -23,6 +23,7 @@ endfunction()
 
 plumb_install(core core HEADERS core)
 plumb_install(verification verification HEADERS verification)
+plumb_install(checks checks HEADERS checks scenes/bsdf_model.h)
 plumb_install(analytic analytic HEADERS analytic)
 plumb_install(estimators voronoi estimators HEADERS estimators)
 plumb_install(main reports program main HEADERS cli/program.h)

@@ -23,13 +23,33 @@ CameraStart start_at_camera(const Scene& scene, const FilmRegion& region, Primar
     return {film, scene.sensor().sample_ray(film, lens)};
 }
 
+std::optional<Hit> trace_to_hit(const Scene& scene, const Ray& ray, std::uint16_t vertex, PrimarySamples& samples,
+                                PathRecord& record) {
+    const double u = scene.has_masks() ? samples.at({vertex, Use::shadow}).u[0] : 0;
+    return scene.intersect(ray, u, record.rays);
+}
+
 std::optional<PathVertex> trace_to_vertex(const Scene& scene, const Ray& ray, std::uint16_t vertex,
                                           PrimarySamples& samples, PathRecord& record) {
-    const double u = scene.has_masks() ? samples.at({vertex, Use::shadow}).u[0] : 0;
-    const std::optional<Hit> hit = scene.intersect(ray, u, record.rays);
+    const std::optional<Hit> hit = trace_to_hit(scene, ray, vertex, samples, record);
     if (!hit) return {};
+    return vertex_at(scene, *hit, ray);
+}
+
+PathVertex vertex_at(const Scene& scene, const Hit& hit, const Ray& ray) {
     const Vec3 wo = normalize(-ray.direction);
-    return PathVertex{*hit, wo, Frame(hit->shading_normal), scene.bsdf(*hit, wo)};
+    return {hit, wo, Frame(hit.shading_normal), scene.bsdf(hit, wo)};
+}
+
+std::optional<ScatterSample> sample_bsdf(const PathVertex& vertex, std::uint16_t number, PrimarySamples& samples,
+                                         Transport transport) {
+    const std::array<double, 2> direction = samples.at({number, Use::direction}).u;
+    const double lobe = samples.at({number, Use::lobe}).u[0];
+    const auto sample = vertex.bsdf.sample(vertex.to_local(vertex.wo), {lobe, direction[0], direction[1]}, transport);
+    if (!sample) return {};
+    const Vec3 wi = vertex.frame.to_world(sample->wi);
+    if (!vertex.agree(wi)) return {};
+    return ScatterSample{wi, sample->weight, sample->pdf, sample->measure, sample->eta};
 }
 
 }  // namespace plumb

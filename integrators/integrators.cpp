@@ -8,7 +8,7 @@ namespace plumb {
 namespace {
 
 template <LightTechniques techniques>
-std::unique_ptr<PathEstimator> direct() {
+std::unique_ptr<PathEstimator> direct(const PathLimits&) {
     return std::make_unique<Direct>(techniques);
 }
 
@@ -17,12 +17,16 @@ std::unique_ptr<PathEstimator> direct() {
 const std::vector<NamedIntegrator>& integrators() {
     static const std::vector<NamedIntegrator> all{
         {"aov", "what is seen first: albedo, with normal and depth", "ours, integrators/aov.h",
-         []() -> std::unique_ptr<PathEstimator> { return std::make_unique<Aov>(); }},
+         [](const PathLimits&) -> std::unique_ptr<PathEstimator> { return std::make_unique<Aov>(); }},
         {"direct", "direct light by samples of emitters and of BSDFs, power heuristic", "Veach & Guibas 1995",
          direct<LightTechniques::both>},
         {"direct-bsdf", "direct light by samples of BSDFs alone", "Veach & Guibas 1995", direct<LightTechniques::bsdf>},
         {"direct-emitters", "direct light by samples of emitters alone", "Veach & Guibas 1995",
          direct<LightTechniques::emitters>},
+        {"path", "all light: emitter and BSDF samples at each vertex of a path from the sensor", "Kajiya 1986",
+         [](const PathLimits& limits) -> std::unique_ptr<PathEstimator> {
+             return std::make_unique<PathTracer>(limits);
+         }},
     };
     return all;
 }

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "integrators/path_estimator.h"
+#include "integrators/path.h"
 
 namespace plumb {
 
 /// An integrator that a user can ask for by name.
 struct NamedIntegrator {
     std::string id, summary, source;
-    std::unique_ptr<PathEstimator> (*make)();
+    std::unique_ptr<PathEstimator> (*make)(const PathLimits&);
 };
 
 const std::vector<NamedIntegrator>& integrators();

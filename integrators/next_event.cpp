@@ -39,21 +39,15 @@ Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::
 
 Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint16_t number, LightTechniques used,
                          const NextEvent& next_event, PrimarySamples& samples, PathRecord& record) {
-    const std::array<double, 2> direction = samples.at({number, Use::direction}).u;
-    const double lobe = samples.at({number, Use::lobe}).u[0];
-    const auto sample =
-        vertex.bsdf.sample(vertex.to_local(vertex.wo), {lobe, direction[0], direction[1]}, Transport::radiance);
+    const auto sample = sample_bsdf(vertex, number, samples, Transport::radiance);
     if (!sample) return {};
-    const Vec3 wi = vertex.frame.to_world(sample->wi), from = vertex.hit.point.position;
-    if (!vertex.agree(wi)) return {};
+    const Vec3 wi = sample->direction, from = vertex.hit.point.position;
     const Ray ray = leave(vertex.hit.point, wi);
-    const auto next = trace_to_vertex(scene, ray, static_cast<std::uint16_t>(number + 1), samples, record);
-    const Spectrum radiance = next ? scene.emitted(next->hit, -wi) : scene.environment(ray);
+    const auto next = trace_to_hit(scene, ray, static_cast<std::uint16_t>(number + 1), samples, record);
+    const Spectrum radiance = next ? scene.emitted(*next, -wi) : scene.environment(ray);
     if (is_black(radiance)) return {};
     const bool shared = used == LightTechniques::both && sample->measure == Measure::solid_angle;
-    const double light_pdf = !shared ? 0
-                             : next  ? scene.light_pdf(next->hit, from, wi)
-                                     : scene.environment_pdf(from, wi);
+    const double light_pdf = !shared ? 0 : next ? scene.light_pdf(*next, from, wi) : scene.environment_pdf(from, wi);
     return sample->weight * radiance * (shared ? next_event.weight(sample->pdf, light_pdf) : 1);
 }
 

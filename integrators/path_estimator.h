@@ -31,14 +31,14 @@ struct PathVertex {
 struct Splat {
     Point<2> film;
     Spectrum value;
-    std::uint8_t edges;
+    int edges;
 };
 
 /// What an estimator did for one sample. Reused from sample to sample, so that it allocates once.
 struct PathRecord {
     std::vector<PathVertex> vertices;  ///< from the sensor on; the sensor itself is not among them
     std::vector<Splat> splats;
-    std::uint64_t rays = 0;  ///< traced, closest hits and shadows alike; counts on over samples
+    RayLog rays;  ///< counts on over samples
 
     void clear() {
         vertices.clear();

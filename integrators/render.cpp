@@ -61,7 +61,7 @@ RenderedTile render_tile(const Scene& scene, const PathEstimator& estimator, con
                 result.pixels.add(x, y, layers_of(record));
             }
         }
-    result.rays = record.rays;
+    result.rays = record.rays.count;
     return result;
 }
 

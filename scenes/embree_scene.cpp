@@ -184,6 +184,23 @@ std::optional<Hit> EmbreeScene::intersect(const Ray& ray) const {
     return hit;
 }
 
+std::uint64_t EmbreeScene::count_hits(std::span<const TracedRay> rays) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    std::uint64_t hits = 0;
+    for (const TracedRay& traced : rays) {
+        RTCRayHit found{};
+        found.ray = narrowed(traced.ray);
+        found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        if (traced.shadow)
+            rtcOccluded1(state_->scene.get(), &context, &found.ray);
+        else
+            rtcIntersect1(state_->scene.get(), &context, &found);
+        hits += traced.shadow ? found.ray.tfar < 0 : found.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    }
+    return hits;
+}
+
 bool EmbreeScene::occluded(const Ray& ray) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);

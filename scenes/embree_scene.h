@@ -24,6 +24,9 @@ public:
     /// Whether anything lies on the open segment.
     [[nodiscard]] bool occluded(const Ray& ray) const;
 
+    /// How many of the rays meet anything: Embree alone, with nothing made of its hits. What benchmarks compare with.
+    [[nodiscard]] std::uint64_t count_hits(std::span<const TracedRay> rays) const;
+
 private:
     struct State;
     std::unique_ptr<State> state_;

@@ -15,15 +15,6 @@ Shape shape_of(auto geometry) {
     return {.geometry = std::move(geometry), .material = {}, .emitter = {}, .id = {}, .place = {"scene.xml", 7}};
 }
 
-TEST(Ray, IsMadeOfFloats) {
-    const Ray ray = rounded_ray({2400.21213, 0.1, 1e-3}, {0.3, 0.7, 1.1});
-    for (std::size_t i = 0; i < 3; ++i) {
-        volatile float origin = static_cast<float>(ray.origin[i]), direction = static_cast<float>(ray.direction[i]);
-        EXPECT_EQ(ray.origin[i], origin);
-        EXPECT_EQ(ray.direction[i], direction);
-    }
-}
-
 TEST(EmbreeScene, FindsTheNearestShape) {
     const std::vector<Shape> shapes{
         shape_of(Sphere{.center = {0, 0, 5}, .radius = 1, .flip_normals = false, .to_world = {}}),

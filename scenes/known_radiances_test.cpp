@@ -32,7 +32,7 @@ struct Loaded {
         if (const auto hit = embree.intersect(rounded_ray(ray.origin, ray.direction))) {
             const auto& emitter = scene.shapes[hit->shape].emitter;
             const bool outside = dot(hit->point.normal, ray.direction) < 0;
-            return emitter && outside ? std::get<Spectrum>(emitter->radiance) : Spectrum{};
+            return emitter && outside ? emitter->radiance : Spectrum{};
         }
         Spectrum sky;
         for (const Emitter& emitter : scene.emitters)
@@ -105,7 +105,7 @@ Irradiance irradiance_of(const Scene& scene) {
         };
     }
     const Shape& light = scene.shapes.at(1);
-    const Spectrum radiance = std::get<Spectrum>(light.emitter.value().radiance);
+    const Spectrum radiance = light.emitter.value().radiance;
     if (const auto* sphere = std::get_if<Sphere>(&light.geometry))
         return [=, s = *sphere](Vec3 p) { return radiance * sphere_irradiance(p, up, s.center, s.radius); };
     if (const auto* disk = std::get_if<Disk>(&light.geometry))

@@ -6,27 +6,13 @@ namespace plumb::mitsuba {
 
 using namespace description;
 
-namespace {
-
-Spectrum emission(Properties& properties, const std::string& name) {
-    const Spectrum value = properties.spectrum(name, Spectrum::grey(1), true);
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (!(value[i] >= 0)) {
-            throw properties.element().place.error(fmt::format("{} is {}; values from 0 are accepted", name, value[i]));
-        }
-    }
-    return value;
-}
-
-}  // namespace
-
 AreaEmitter load_area_emitter(const XmlElement& element, Loader& loader) {
     if (element.attribute("type") != "area") {
         throw element.place.error(
             fmt::format("emitter '{}' on a shape; 'area' is accepted there", element.attribute("type")));
     }
     Properties properties(element, loader);
-    AreaEmitter emitter{.radiance = emission(properties, "radiance"), .place = element.place};
+    AreaEmitter emitter{.radiance = properties.spectrum("radiance", Spectrum::grey(1), true), .place = element.place};
     properties.finish();
     return emitter;
 }
@@ -37,14 +23,16 @@ Emitter load_emitter(const XmlElement& element, Loader& loader) {
     const std::string& type = element.attribute("type");
     properties.number("sampling_weight", 1);
     if (type == "constant") {
-        emitter.kind = ConstantSky{emission(properties, "radiance")};
+        emitter.kind = ConstantSky{properties.spectrum("radiance", Spectrum::grey(1), true)};
     } else if (type == "envmap") {
         const double scale = properties.number("scale", 1);
-        if (!(scale >= 0)) throw element.place.error(fmt::format("scale is {}; values from 0 are accepted", scale));
+        if (!(scale >= 0))
+            throw properties.place_of("scale").error(fmt::format("scale is {}; values from 0 are accepted", scale));
         emitter.kind = EnvironmentMap{properties.file("filename"), scale, properties.transform("to_world")};
     } else if (type == "point") {
         const Vec3 position = properties.vector("position", {});
-        emitter.kind = PointLight{properties.transform("to_world").point(position), emission(properties, "intensity")};
+        emitter.kind = PointLight{properties.transform("to_world").point(position),
+                                  properties.spectrum("intensity", Spectrum::grey(1), true)};
     } else if (type == "area") {
         throw element.place.error("emitter 'area' outside a shape");
     } else {

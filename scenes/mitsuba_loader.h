@@ -46,10 +46,13 @@ public:
     /// A file, relative to the file that names it; throws where it does not exist.
     std::filesystem::path file(const std::string& name);
     Vec3 vector(const std::string& name, Vec3 otherwise);
-    /// A colour that must not be textured. Emission and reflectance differ for tabulated spectra alone.
+    /// A colour that must not be textured, of lanes from 0. Emission and reflectance differ for tabulated spectra
+    /// alone.
     Spectrum spectrum(const std::string& name, const Spectrum& otherwise, bool emission = false);
     /// A reflectance, constant or textured, within [0, 1] where constant.
     description::Colour reflectance(const std::string& name, const Spectrum& otherwise);
+    /// One that must not be textured.
+    Spectrum constant_reflectance(const std::string& name, const Spectrum& otherwise);
     Transform transform(const std::string& name);
     /// An index of refraction: a number or a medium's name.
     double index(const std::string& name, const std::string& otherwise);
@@ -58,9 +61,12 @@ public:
     void finish(bool advisory = false);
 
     [[nodiscard]] const XmlElement& element() const { return element_; }
+    /// Where the value stands, or the element that lacks it.
+    [[nodiscard]] const description::Place& place_of(const std::string& name) const;
 
 private:
     const XmlElement* take(const std::string& name);
+    Spectrum constant(const std::string& name, const Spectrum& otherwise, bool emission, double most);
 
     const XmlElement& element_;
     Loader& loader_;

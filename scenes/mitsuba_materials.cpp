@@ -16,7 +16,8 @@ Roughness load_roughness(Properties& properties, Loader& loader) {
     Roughness roughness;
     roughness.alpha = properties.number("alpha", 0.1);
     if (!(roughness.alpha > 0))
-        throw place.error(fmt::format("alpha is {}; roughness above 0 is accepted", roughness.alpha));
+        throw properties.place_of("alpha").error(
+            fmt::format("alpha is {}; roughness above 0 is accepted", roughness.alpha));
     for (const char* name : {"alpha_u", "alpha_v"}) {
         if (!properties.has(name)) continue;
         roughness.alpha = properties.number(name, 0.1);

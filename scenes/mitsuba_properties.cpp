@@ -158,6 +158,11 @@ Properties::Properties(const XmlElement& element, Loader& loader) : element_(ele
     }
 }
 
+const Place& Properties::place_of(const std::string& name) const {
+    const auto found = values_.find(name);
+    return found == values_.end() ? element_.place : found->second->place;
+}
+
 const XmlElement* Properties::take(const std::string& name) {
     known_.insert(name);
     const auto found = values_.find(name);
@@ -208,26 +213,35 @@ Vec3 Properties::vector(const std::string& name, Vec3 otherwise) {
     return value ? parse_vector(*value, otherwise) : otherwise;
 }
 
-Spectrum Properties::spectrum(const std::string& name, const Spectrum& otherwise, bool emission) {
+Spectrum Properties::constant(const std::string& name, const Spectrum& otherwise, bool emission, double most) {
     const XmlElement* value = take(name);
     if (!value) return otherwise;
     if (value->tag == "texture" || value->tag == "ref") {
         throw value->place.error(fmt::format("{} is a {}; a constant is accepted", name, value->tag));
     }
-    return parse_spectrum(*value, emission);
+    const Spectrum result = parse_spectrum(*value, emission);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!(result[i] >= 0 && result[i] <= most)) {
+            throw value->place.error(fmt::format("{} is {}; values from 0{} are accepted", name, result[i],
+                                                 std::isfinite(most) ? fmt::format(" to {}", most) : ""));
+        }
+    }
+    return result;
+}
+
+Spectrum Properties::spectrum(const std::string& name, const Spectrum& otherwise, bool emission) {
+    return constant(name, otherwise, emission, HUGE_VAL);
+}
+
+Spectrum Properties::constant_reflectance(const std::string& name, const Spectrum& otherwise) {
+    return constant(name, otherwise, false, 1);
 }
 
 Colour Properties::reflectance(const std::string& name, const Spectrum& otherwise) {
     const XmlElement* value = take(name);
     if (!value) return otherwise;
     if (value->tag == "texture" || value->tag == "ref") return load_texture(loader_.resolve(*value), loader_);
-    const Spectrum result = parse_spectrum(*value, false);
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (!(result[i] >= 0 && result[i] <= 1)) {
-            throw value->place.error(fmt::format("{} is {}; values from 0 to 1 are accepted", name, result[i]));
-        }
-    }
-    return result;
+    return constant_reflectance(name, otherwise);
 }
 
 Transform Properties::transform(const std::string& name) {

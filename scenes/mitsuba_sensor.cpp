@@ -64,7 +64,8 @@ double horizontal_fov(Properties& properties, const Film& film) {
         axis = "diagonal";
     }
     if (!(fov > 0 && fov < 180))
-        throw place.error(fmt::format("fov is {}; angles between 0 and 180 degrees are accepted", fov));
+        throw properties.place_of("fov").error(
+            fmt::format("fov is {}; angles between 0 and 180 degrees are accepted", fov));
     double side = 0;
     if (axis == "x")
         side = width;
@@ -101,12 +102,12 @@ Sensor load_sensor(const XmlElement& element, Loader& loader) {
         sensor.aperture_radius = properties.number("aperture_radius", 0);
         sensor.focus_distance = properties.number("focus_distance", 1);
         if (!(sensor.aperture_radius >= 0)) {
-            throw element.place.error(
-                fmt::format("aperture_radius is {}; values from 0 are accepted", sensor.aperture_radius));
+            throw properties.place_of("aperture_radius")
+                .error(fmt::format("aperture_radius is {}; values from 0 are accepted", sensor.aperture_radius));
         }
         if (!(sensor.focus_distance > 0)) {
-            throw element.place.error(
-                fmt::format("focus_distance is {}; values above 0 are accepted", sensor.focus_distance));
+            throw properties.place_of("focus_distance")
+                .error(fmt::format("focus_distance is {}; values above 0 are accepted", sensor.focus_distance));
         }
     }
     properties.finish(true);

@@ -32,7 +32,8 @@ Sphere load_sphere(Properties& properties, const Transform& to_world) {
     const Vec3 center = properties.vector("center", {0, 0, 0});
     const double radius = properties.number("radius", 1);
     const Place& place = properties.element().place;
-    if (!(radius > 0)) throw place.error(fmt::format("a sphere of radius {}; above 0 is accepted", radius));
+    if (!(radius > 0))
+        throw properties.place_of("radius").error(fmt::format("a sphere of radius {}; above 0 is accepted", radius));
     Sphere sphere{.center = to_world.point(center),
                   .radius = radius,
                   .flip_normals = properties.boolean("flip_normals", false),
@@ -58,13 +59,23 @@ Disk load_disk(Properties& properties, const Transform& to_world) {
             .normal = normalize(to_world.normal({0, 0, side}))};
 }
 
+// Finite in its file, a vertex may still be no float after its transform.
+void check_finite(const Mesh& mesh, const Place& place) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        for (const float x : mesh.positions[i]) {
+            if (!std::isfinite(x))
+                throw place.error(fmt::format("vertex {} has the coordinate {}; finite floats are accepted", i, x));
+        }
+    }
+}
+
 void check_area(const Shape& shape) {
     if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry); mesh && shape.emitter) {
         for (const auto& t : mesh->triangles) {
             const Vec3 p = mesh->position(t[0]);
             if (length_squared(cross(mesh->position(t[1]) - p, mesh->position(t[2]) - p)) > 0) return;
         }
-        throw shape.place.error("an area emitter on a mesh without area");
+        throw shape.emitter->place.error("an area emitter on a mesh of area 0; above 0 is accepted");
     }
 }
 
@@ -109,7 +120,9 @@ Shape load_shape(const XmlElement& element, Loader& loader) {
         else
             throw loader.unknown_plugin(element);
         if (properties.boolean("flip_normals", false)) flip_normals(mesh);
-        shape.geometry = transformed(std::move(mesh), to_world);
+        mesh = transformed(std::move(mesh), to_world);
+        check_finite(mesh, element.place);
+        shape.geometry = std::move(mesh);
     }
     properties.finish();
     check_area(shape);

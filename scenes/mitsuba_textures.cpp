@@ -55,8 +55,8 @@ TextureId load_texture(const XmlElement& element, Loader& loader) {
         texture.kind = load_bitmap(properties, loader);
     } else if (type == "checkerboard") {
         const Checkerboard otherwise;
-        texture.kind = Checkerboard{properties.spectrum("color0", otherwise.color0),
-                                    properties.spectrum("color1", otherwise.color1)};
+        texture.kind = Checkerboard{properties.constant_reflectance("color0", otherwise.color0),
+                                    properties.constant_reflectance("color1", otherwise.color1)};
     } else {
         loader.replaced(element.place, fmt::format("texture '{}' by grey", type), loader.unknown_plugin(element));
         texture.kind = Checkerboard{Spectrum::grey(0.5), Spectrum::grey(0.5)};

@@ -6,33 +6,9 @@
 #include "core/file.h"
 #include "core/random.h"
 #include "scenes/mitsuba_loader.h"
+#include "scenes/plugins.h"
 
 namespace plumb {
-
-namespace {
-
-const std::map<std::string, std::vector<std::string>>& plugins() {
-    static const std::map<std::string, std::vector<std::string>> table{
-        {"shape", {"cube", "disk", "obj", "ply", "rectangle", "sphere"}},
-        {"bsdf",
-         {"conductor", "dielectric", "diffuse", "mask", "plastic", "roughconductor", "roughdielectric", "roughplastic",
-          "twosided"}},
-        {"texture", {"bitmap", "checkerboard"}},
-        {"emitter", {"area", "constant", "envmap", "point"}},
-        {"sensor", {"perspective", "thinlens"}},
-        {"film", {"hdrfilm"}},
-        {"rfilter", {"box", "gaussian", "tent"}},
-    };
-    return table;
-}
-
-}  // namespace
-
-std::vector<std::string> mitsuba_plugins(const std::string& kind) {
-    const auto found = plugins().find(kind);
-    if (found == plugins().end()) throw Error(fmt::format("no plugins of the kind '{}'", kind));
-    return found->second;
-}
 
 namespace mitsuba {
 
@@ -59,7 +35,7 @@ void Loader::replaced(const description::Place& place, std::string text, const E
 
 Error Loader::unknown_plugin(const XmlElement& element) const {
     return element.place.error(fmt::format("unknown {} '{}'; there are {}", element.tag, element.attribute("type"),
-                                           fmt::join(mitsuba_plugins(element.tag), ", ")));
+                                           fmt::join(plugin_names(element.tag), ", ")));
 }
 
 namespace {

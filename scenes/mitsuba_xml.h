@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "scenes/description.h"
 #include "scenes/xml_tree.h"
@@ -17,8 +16,5 @@ struct LoadOptions {
 /// A scene in Mitsuba's XML, of 0.5/0.6 (toWorld, intIOR) or 3 (to_world, int_ior); meshes are read, image files only
 /// named. docs/scenes.md says what is followed. Throws Error naming file, line and value.
 description::Scene load_mitsuba(const std::filesystem::path& file, const LoadOptions& options = {});
-
-/// The plugins that exist, by kind: shape, bsdf, texture, emitter, sensor, film, rfilter.
-std::vector<std::string> mitsuba_plugins(const std::string& kind);
 
 }  // namespace plumb

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "core/vec3.h"
 
@@ -10,6 +12,23 @@ namespace plumb {
 struct Ray {
     Vec3 origin, direction;
     double t_max = HUGE_VAL;
+};
+
+/// A ray that was traced: for the nearest hit, or to learn whether anything is in its way.
+struct TracedRay {
+    Ray ray;
+    bool shadow;
+};
+
+/// Counts the rays that a caller has traced; keeps them where somebody wants to see them.
+struct RayLog {
+    std::uint64_t count = 0;
+    std::vector<TracedRay>* kept = nullptr;
+
+    void add(const Ray& ray, bool shadow) {
+        ++count;
+        if (kept) kept->push_back({ray, shadow});
+    }
 };
 
 }  // namespace plumb

@@ -65,10 +65,10 @@ Scene::Scene(description::Scene description)
     if (!lights_.empty()) chooser_ = LightChooser::by_power(powers_of(lights_, radius_of(description_.shapes)));
 }
 
-std::optional<Hit> Scene::intersect(const Ray& ray, double u, std::uint64_t& rays) const {
+std::optional<Hit> Scene::intersect(const Ray& ray, double u, RayLog& log) const {
     Ray rest = ray;
     for (;;) {
-        ++rays;
+        log.add(rest, false);
         std::optional<Hit> hit = embree_.intersect(rest);
         if (!hit || !has_masks_) return hit;
         const double stops = opacity(*hit);
@@ -81,17 +81,22 @@ std::optional<Hit> Scene::intersect(const Ray& ray, double u, std::uint64_t& ray
     }
 }
 
-double Scene::transmittance(const SurfacePoint& from, const EmitterSample& sample, std::uint64_t& rays) const {
+double Scene::transmittance(const SurfacePoint& from, const EmitterSample& sample, RayLog& log) const {
     const auto segment = [&](const SurfacePoint& start) {
         if (sample.surface) return connect(start, *sample.surface);
         if (!std::isfinite(sample.distance)) return leave(start, sample.direction);
         return connect_to_space(start, from.position + sample.direction * sample.distance);
     };
-    ++rays;
-    if (!has_masks_) return embree_.occluded(segment(from)) ? 0 : 1;
+    if (!has_masks_) {
+        const Ray ray = segment(from);
+        log.add(ray, true);
+        return embree_.occluded(ray) ? 0 : 1;
+    }
     double passes = 1;
-    for (SurfacePoint start = from;; ++rays) {
-        const std::optional<Hit> hit = embree_.intersect(segment(start));
+    for (SurfacePoint start = from;;) {
+        const Ray ray = segment(start);
+        log.add(ray, false);
+        const std::optional<Hit> hit = embree_.intersect(ray);
         if (!hit) return passes;
         passes *= 1 - opacity(*hit);
         if (passes == 0) return 0;

@@ -25,12 +25,12 @@ public:
 
     [[nodiscard]] const SceneSensor& sensor() const { return sensor_; }
 
-    /// Where a ray meets the scene first. u decides whether it passes masks on its way; `rays` counts what it took.
-    [[nodiscard]] std::optional<Hit> intersect(const Ray& ray, double u, std::uint64_t& rays) const;
+    /// Where a ray meets the scene first. u decides whether it passes masks on its way.
+    [[nodiscard]] std::optional<Hit> intersect(const Ray& ray, double u, RayLog& log) const;
     [[nodiscard]] bool has_masks() const { return has_masks_; }
     /// How much of the light of a sample of an emitter arrives: 0 or 1, in between behind masks.
     [[nodiscard]] double transmittance(const SurfacePoint& from, const EmitterSample& sample,
-                                       std::uint64_t& rays) const;
+                                       RayLog& log) const;
 
     /// The closure at a hit for light that leaves towards `wo` (in the world).
     [[nodiscard]] Bsdf bsdf(const Hit& hit, Vec3 wo) const;

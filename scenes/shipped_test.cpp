@@ -1,7 +1,5 @@
 #include "scenes/shipped.h"
 
-#include <set>
-
 #include "core/file.h"
 #include "scenes/known_radiances.h"
 #include "scenes/mitsuba_xml.h"
@@ -26,21 +24,6 @@ TEST(ShippedScenes, LoadAsTheyStandAndAskTheirQuestion) {
         EXPECT_TRUE(question.ends_with("?")) << name;
         EXPECT_TRUE(read_file(file).starts_with("<!-- " + question)) << name;
     }
-}
-
-/// Every plugin of the loader is used by a scene.
-TEST(ShippedScenes, UseAllThatTheLoaderKnows) {
-    std::string text;
-    for (const ShippedScene& scene : shipped_scenes()) text += read_file(scene.file);
-    for (const char* kind : {"shape", "bsdf", "texture", "emitter", "sensor", "film", "rfilter"}) {
-        const std::vector<std::string> plugins = mitsuba_plugins(kind);
-        EXPECT_FALSE(plugins.empty()) << kind;
-        for (const std::string& plugin : plugins) {
-            EXPECT_NE(text.find(fmt::format("type=\"{}\"", plugin)), std::string::npos) << kind << " " << plugin;
-        }
-    }
-    for (const char* value : {"ggx", "beckmann"})
-        EXPECT_NE(text.find(fmt::format("value=\"{}\"", value)), std::string::npos) << value;
 }
 
 class SceneFile : public testing_files::Folder {};

@@ -3,26 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/rounding.h"
+
 namespace plumb {
 
 namespace {
-
-double rounded(double x) {
-    float narrow = static_cast<float>(x);
-    // GCC 12 drops double → float → double where it vectorizes several of them; this keeps the float.
-    asm("" : "+x"(narrow));
-    return narrow;
-}
-
-Vec3 rounded(Vec3 p) {
-    return {rounded(p.x), rounded(p.y), rounded(p.z)};
-}
 
 Vec3 absolute(Vec3 p) {
     return {std::abs(p.x), std::abs(p.y), std::abs(p.z)};
 }
 
-/// Barycentric coordinates at least `floor` each, unchanged where they are: the part above the floors shrinks.
+/// Barycentric coordinates at least `floor` each: the part above the floors shrinks.
 std::array<double, 3> raised(const std::array<double, 3>& b, const std::array<double, 3>& floor) {
     const double sum = floor[0] + floor[1] + floor[2];
     std::array<double, 3> result;
@@ -47,8 +38,8 @@ SurfacePoint triangle_point(const std::array<Vec3, 3>& vertices, double u, doubl
     const auto& [a, b, c] = vertices;
     const Vec3 twice_area = cross(b - a, c - a);
     const double doubled = length(twice_area);
-    const std::array<double, 3> sides{length(c - b), length(c - a), length(b - a)};
-    const double longest = std::max({sides[0], sides[1], sides[2]});
+    const std::array<double, 3> squares{length_squared(c - b), length_squared(c - a), length_squared(b - a)};
+    const double longest = std::sqrt(std::max({squares[0], squares[1], squares[2]}));
     const auto at = [&](double p, double q, double r) { return a * p + b * q + c * r; };
     // Embree hands out barycentric coordinates a rounding outside the triangle.
     u = std::clamp(u, 0.0, 1.0);
@@ -60,7 +51,12 @@ SurfacePoint triangle_point(const std::array<Vec3, 3>& vertices, double u, doubl
     // Twice, because going along the normal comes nearer to a neighbour at an acute angle: where two faces meet at θ,
     // cot(θ/2) times would do, so 2 serves down to θ = 53°.
     const double away = 2 * (length(float_rounding(point.position)) + point.margin);
-    const std::array<double, 3> floor{away * sides[0] / doubled, away * sides[1] / doubled, away * sides[2] / doubled};
+    // A coordinate is the distance from its edge, times side over twice the area.
+    const double per_length = away / doubled;
+    point.inset = point.position;
+    if (std::min({1 - u - v, u, v}) >= per_length * longest) return point;
+    std::array<double, 3> floor;
+    for (std::size_t i = 0; i < 3; ++i) floor[i] = per_length * std::sqrt(squares[i]);
     const std::array<double, 3> inset = raised({1 - u - v, u, v}, floor);
     point.inset = at(inset[0], inset[1], inset[2]);
     return point;
@@ -80,27 +76,27 @@ SurfacePoint disk_point(Vec3 position, Vec3 normal) {
 Vec3 ray_origin(const SurfacePoint& from, Vec3 direction, Vec3 extra) {
     const double side = dot(from.normal, direction) < 0 ? -1 : 1;
     const double off = dot(absolute(from.normal), float_rounding(from.inset) + extra) + from.margin;
-    return rounded(from.inset + from.normal * (side * off));
+    return rounded_to_float(from.inset + from.normal * (side * off));
 }
 
 Ray leave(const SurfacePoint& from, Vec3 direction) {
-    return {ray_origin(from, direction), rounded(direction), HUGE_VAL};
+    return {ray_origin(from, direction), rounded_to_float(direction), HUGE_VAL};
 }
 
 Ray connect(const SurfacePoint& from, const SurfacePoint& to) {
     const Vec3 between = to.inset - from.inset;
     const Vec3 origin = ray_origin(from, between);
     const Vec3 target = ray_origin(to, -between, float_rounding(between) * 2);
-    return {origin, rounded(target - origin), 1};
+    return {origin, rounded_to_float(target - origin), 1};
 }
 
 Ray connect_to_space(const SurfacePoint& from, Vec3 to) {
     const Vec3 origin = ray_origin(from, to - from.inset);
-    return {origin, rounded(to - origin), 1};
+    return {origin, rounded_to_float(to - origin), 1};
 }
 
 Ray rounded_ray(Vec3 origin, Vec3 direction, double t_max) {
-    return {rounded(origin), rounded(direction), t_max};
+    return {rounded_to_float(origin), rounded_to_float(direction), t_max};
 }
 
 }  // namespace plumb

@@ -38,6 +38,8 @@ private:
     std::vector<std::ptrdiff_t> ends_;
 };
 
+constexpr int deepest = 100;  // elements within elements: ours and whoever reads the tree go down by recursion
+
 struct OpenFile {
     fs::path path;
     Lines lines;
@@ -84,17 +86,19 @@ public:
     }
 
 private:
-    XmlElement convert(const pugi::xml_node& node, const OpenFile& file) {
+    XmlElement convert(const pugi::xml_node& node, const OpenFile& file, int depth = 0) {
         XmlElement element{.tag = node.name(),
                            .attributes = {},
                            .children = {},
                            .place = {file.path.string(), file.lines.at(node.offset_debug())}};
+        if (depth > deepest)
+            throw element.place.error(fmt::format("elements nested deeper than {}; that many are accepted", deepest));
         for (const pugi::xml_attribute& attribute : node.attributes()) {
             element.attributes[attribute.name()] = substituted(attribute.value(), element.place);
         }
         for (const pugi::xml_node& child : node.children()) {
             if (child.type() != pugi::node_element) continue;
-            XmlElement converted = convert(child, file);
+            XmlElement converted = convert(child, file, depth + 1);
             if (converted.tag == "default") {
                 define(converted);
             } else if (converted.tag == "include") {

@@ -28,6 +28,7 @@ public:
     }
 
     [[nodiscard]] ChosenLight sample(double u) const {
+        if (count_ == 1) return {0, 1};
         const auto i =
             std::min(static_cast<std::size_t>(choice_.sample(u) * count_), static_cast<std::size_t>(count_) - 1);
         return {i, pmf(i)};

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -45,16 +46,28 @@ Shape box(Vec3 center, RandomStream&) {
     return shape_of(transformed(cube_mesh(), Transform::translate(center) * Transform::scale({0.5, 0.5, 0.5})));
 }
 
-/// Regular, in a random orientation: its faces stay planar when its corners are rounded.
-Shape tetrahedron(Vec3 center, RandomStream& random) {
-    const Transform turn = Transform::rotate(uniform_direction(random), 360 * random.uniform());
+/// Its faces stay planar when its corners are rounded.
+Shape tetrahedron_of(Vec3 center, const std::array<Vec3, 4>& corners, const Transform& turn) {
     Mesh mesh;
-    for (const Vec3 corner : {Vec3{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}) {
-        const Vec3 p = center + turn.vector(corner) * 0.5;
+    for (const Vec3 corner : corners) {
+        const Vec3 p = center + turn.vector(corner);
         mesh.positions.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
     }
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
     return shape_of(std::move(mesh));
+}
+
+/// Regular, in a random orientation.
+Shape tetrahedron(Vec3 center, RandomStream& random) {
+    const Transform turn = Transform::rotate(uniform_direction(random), 360 * random.uniform());
+    return tetrahedron_of(center, {{{0.5, 0.5, 0.5}, {0.5, -0.5, -0.5}, {-0.5, 0.5, -0.5}, {-0.5, -0.5, 0.5}}}, turn);
+}
+
+/// A turned tetrahedron, two of whose edges are as sharp as is allowed: 54°.
+Shape wedge(Vec3 center, RandomStream& random) {
+    const Transform turn = Transform::rotate(uniform_direction(random), 360 * random.uniform());
+    constexpr double h = 0.6939;  // faces meet at the upper and lower edge at 2 atan(0.5/(h √2)) = 54.0°
+    return tetrahedron_of(center, {{{0.5, 0.5, h}, {0.5, -0.5, -h}, {-0.5, 0.5, -h}, {-0.5, -0.5, h}}}, turn);
 }
 
 /// 16 segments from pole to pole, 32 around, vertices shared.
@@ -120,6 +133,48 @@ void walk(const Shape& shape, Vec3 center, const Starts& starts, int walks, Rand
     }
 }
 
+/// A point of the triangle that is nearer to an edge, and every other time to two, than the rounding of its place.
+SurfacePoint beside_edge(const Mesh& mesh, std::uint32_t primitive, RandomStream& random) {
+    const auto& [i, j, k] = mesh.triangles[primitive];
+    const std::array<Vec3, 3> corners{mesh.position(i), mesh.position(j), mesh.position(k)};
+    const double reach = 0x1p-22 * (length(corners[0]) + length(corners[1] - corners[0]));
+    const std::size_t edge = random.below(3);
+    std::array<double, 3> b;
+    b[edge] = reach * random.uniform();
+    b[(edge + 1) % 3] = random.uniform() < 0.5 ? reach * random.uniform() : (1 - b[edge]) * random.uniform();
+    b[(edge + 2) % 3] = 1 - b[edge] - b[(edge + 1) % 3];
+    return triangle_point(corners, b[1], b[2]);
+}
+
+/// Within 1/16 radian of the direction of any edge: docs/scenes.md says why Embree may lose such a ray beside it.
+bool along_an_edge(const Mesh& mesh, Vec3 direction) {
+    return std::ranges::any_of(mesh.triangles, [&](const auto& triangle) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec3 edge = mesh.position(triangle[(i + 1) % 3]) - mesh.position(triangle[i]);
+            if (length(cross(normalize(edge), direction)) < 1.0 / 16) return true;
+        }
+        return false;
+    });
+}
+
+/// Inwards from beside edges and corners, not along them: each ray must hit, none the face that it leaves.
+void leave_edges(const Shape& shape, Vec3 center, const Starts& starts, int rays, RandomStream& random,
+                 Counts& counts) {
+    const EmbreeScene scene({&shape, 1});
+    const Mesh& mesh = std::get<Mesh>(shape.geometry);
+    for (int i = 0; i < rays; ++i) {
+        const auto primitive = static_cast<std::uint32_t>(random.below(mesh.triangles.size()));
+        const SurfacePoint from = beside_edge(mesh, primitive, random);
+        const Vec3 inside = dot(center - from.position, from.normal) > 0 ? from.normal : -from.normal;
+        const Vec3 direction = direction_off(inside, random);
+        if (along_an_edge(mesh, direction)) continue;
+        const auto hit = scene.intersect(starts.leaves(from, direction));
+        ++counts.rays;
+        counts.lost += !hit;
+        counts.self += hit && hit->primitive == primitive;
+    }
+}
+
 /// Between pairs of hits seen from one point inside: nothing lies between, and neither end hides itself.
 void connect_pairs(const Shape& shape, Vec3 center, const Starts& starts, int pairs, RandomStream& random,
                    Counts& counts) {
@@ -156,6 +211,15 @@ Check closed(const Closed& surface, const Starts& starts) {
         return at_all_distances(surface, run,
                                 [&](const Shape& shape, Vec3 center, int n, RandomStream& random, Counts& counts) {
                                     walk(shape, center, starts, n, random, counts);
+                                });
+    };
+}
+
+Check closed_at_edges(const Closed& surface, const Starts& starts) {
+    return [=](const Run& run) {
+        return at_all_distances(surface, run,
+                                [&](const Shape& shape, Vec3 center, int n, RandomStream& random, Counts& counts) {
+                                    leave_edges(shape, center, starts, 20 * n, random, counts);
                                 });
     };
 }
@@ -218,6 +282,13 @@ auto fixed_epsilon(double epsilon) {
         return rounded_ray(from.position + side(from, direction) * epsilon, direction);
     };
 }
+/// 0: not at all, 1: as far as it should be.
+auto inset_by(double share) {
+    return [=](SurfacePoint from, Vec3 direction) {
+        from.inset = from.position + (from.inset - from.position) * share;
+        return leave(from, direction);
+    };
+}
 Ray far_end_not_lifted(const SurfacePoint& from, const SurfacePoint& to) {
     const Vec3 origin = ray_origin(from, to.position - from.position);
     return rounded_ray(origin, to.position - origin, 1);
@@ -268,6 +339,21 @@ void add_surface_claims(Catalogue& catalogue) {
                                    {"near-end-not-lifted", "a shadow ray starts on the surface",
                                     sees_itself(surface, {.connects = near_end_not_lifted})}}});
     }
+    catalogue.add({.id = "mesh/wedge/edges",
+                   .statement =
+                       "Every ray that leaves a tetrahedron with edges of 54° inwards from beside an edge or a "
+                       "corner, and not along an edge, hits another face, up to 2^12 sizes from the world's origin.",
+                   .source = source,
+                   .kind = Kind::exact,
+                   .check = closed_at_edges(wedge, {}),
+                   .mutants = {{"no-inset", "a ray starts as near to an edge as its point lies",
+                                closed_at_edges(wedge, {.leaves = inset_by(0)})},
+                               {"half-inset", "a ray starts half as far from an edge as it should",
+                                closed_at_edges(wedge, {.leaves = inset_by(0.5)})},
+                               {"no-offset", "a ray starts at the point rounded to floats",
+                                closed_at_edges(wedge, {.leaves = no_offset})},
+                               {"fixed-epsilon", "a ray starts 1e-4 along the normal from the point",
+                                closed_at_edges(wedge, {.leaves = fixed_epsilon(1e-4)})}}});
     catalogue.add(
         {.id = "mesh/plates/gap",
          .statement = "What leaves a plate of side 1 meets the plate 1e-3 away, up to 2^12 sizes from the world's "
