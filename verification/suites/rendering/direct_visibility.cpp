@@ -111,7 +111,7 @@ Scene under_masks(bool point_light, double first, double second) {
         height += 0.25;
     }
     if (point_light)
-        scene.emitters.push_back({description::PointLight{{0, 0, 2}, Spectrum::grey(4)}, {}});
+        scene.emitters.emplace_back().kind = description::PointLight{{0, 0, 2}, Spectrum::grey(4)};
     else
         add_polygon(scene, {{-1, -1, 1}, {-1, 1, 1}, {1, 1, 1}, {1, -1, 1}}, black, white);
     scene.sensor = camera({0.05, 0, 0.2}, {});
