@@ -112,7 +112,9 @@ void print_bad_values(const BadValues& bad) {
 }  // namespace
 
 int render(const RenderOptions& options) {
-    const auto estimator = find_integrator(options.integrator).make({options.max_depth, options.roulette_depth});
+    PathLimits limits{options.max_depth, options.roulette_depth, options.length};
+    if (!options.strategy.empty()) limits.strategy = Strategy{options.strategy[0], options.strategy[1]};
+    const auto estimator = make_integrator(options.integrator, limits);
     const fs::path file = scene_file(options.scene);
     const fs::path out = options.out.empty() ? fs::path("out") / (name_of(file) + ".exr") : fs::path(options.out);
     check_writable(out);

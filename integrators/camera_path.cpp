@@ -48,8 +48,13 @@ std::optional<ScatterSample> sample_bsdf(const PathVertex& vertex, std::uint16_t
     const auto sample = vertex.bsdf.sample(vertex.to_local(vertex.wo), {lobe, direction[0], direction[1]}, transport);
     if (!sample) return {};
     const Vec3 wi = vertex.frame.to_world(sample->wi);
-    if (!vertex.agree(wi)) return {};
+    if (!vertex.lit(wi, transport)) return {};
     return ScatterSample{wi, sample->weight, sample->pdf, sample->measure, sample->eta};
+}
+
+Spectrum eval_bsdf(const PathVertex& vertex, Vec3 wi, Transport transport) {
+    if (!vertex.bsdf.smooth() || !vertex.lit(wi, transport)) return {};
+    return vertex.bsdf.eval(vertex.to_local(vertex.wo), vertex.to_local(wi), transport);
 }
 
 }  // namespace plumb

@@ -27,8 +27,11 @@ struct ScatterSample {
     Measure measure;
     double eta;
 };
-/// Empty where nothing scatters, or where the normals disagree about the side of the direction.
+/// Empty where nothing scatters, or where the normals disagree about the side of the light.
 std::optional<ScatterSample> sample_bsdf(const PathVertex& vertex, std::uint16_t number, PrimarySamples& samples,
                                          Transport transport);
+/// f |cos| about the shading normal for light from wi (radiance) or to wi (importance); black where the normals
+/// disagree about the side of the light.
+Spectrum eval_bsdf(const PathVertex& vertex, Vec3 wi, Transport transport);
 
 }  // namespace plumb

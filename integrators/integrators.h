@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "integrators/bdpt.h"
+#include "integrators/light.h"
 #include "integrators/path.h"
 
 namespace plumb {
@@ -17,5 +19,7 @@ struct NamedIntegrator {
 const std::vector<NamedIntegrator>& integrators();
 /// Throws Error naming the nearest ones.
 const NamedIntegrator& find_integrator(const std::string& id);
+/// The integrator of that name, held to all limits: `length` too. Throws Error for a strategy of another than `bdpt`.
+std::unique_ptr<PathEstimator> make_integrator(const std::string& id, PathLimits limits);
 
 }  // namespace plumb

@@ -26,14 +26,16 @@ Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::
                              const NextEvent& next_event, PrimarySamples& samples, PathRecord& record) {
     if (!vertex.bsdf.smooth()) return {};
     const auto light = next_event.choose(scene, vertex, samples, number);
-    if (!light || !vertex.agree(light->sample.direction)) return {};
-    const Vec3 wo = vertex.to_local(vertex.wo), wi = vertex.to_local(light->sample.direction);
-    const Spectrum f = vertex.bsdf.eval(wo, wi, Transport::radiance);
+    if (!light) return {};
+    const Spectrum f = eval_bsdf(vertex, light->sample.direction, Transport::radiance);
     if (is_black(f)) return {};
     const double visible = next_event.visibility(scene, vertex, light->sample, record);
     if (visible == 0) return {};
     const bool shared = used == LightTechniques::both && light->sample.measure == Measure::solid_angle;
-    const double weight = shared ? next_event.weight(light->pdf, vertex.bsdf.pdf(wo, wi)) : 1;
+    const auto bsdf_pdf = [&] {
+        return vertex.bsdf.pdf(vertex.to_local(vertex.wo), vertex.to_local(light->sample.direction));
+    };
+    const double weight = shared ? next_event.weight(light->pdf, bsdf_pdf()) : 1;
     return f * light->sample.radiance * (weight * visible / light->pdf);
 }
 

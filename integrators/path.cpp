@@ -10,9 +10,6 @@ double survive_by_throughput(const Spectrum& throughput, double eta_squared) {
 
 namespace {
 
-// Slots number vertices of one subpath up to here; a path of so many edges carries nothing that a double can tell.
-constexpr int last_vertex = 0x7ff0;
-
 // Light that the state's ray met, weighted against what an emitter sample would have found there.
 Spectrum met_light(const Scene& scene, const NextEvent& next_event, const PathState& state,
                    const std::optional<Hit>& hit) {
@@ -45,7 +42,7 @@ std::optional<PathState> PathTracer::step(const Scene& scene, const Point<2>& fi
     if (!hit) return {};
     record.vertices.push_back(vertex_at(scene, *hit, state.ray));
     const PathVertex& vertex = record.vertices.back();
-    if (!may_grow(edges)) return {};
+    if (!limits.allow(edges + 1)) return {};
     add(light_from_emitters(scene, vertex, state.vertex, LightTechniques::both, next_event, samples, record),
         edges + 1);
     return edges < last_vertex ? scatter(vertex, state, samples) : std::nullopt;

@@ -31,6 +31,7 @@ Catalogue shipped_catalogue() {
     add_light_claims(catalogue);
     add_light_irradiance_claims(catalogue);
     add_light_rate_claims(catalogue);
+    add_light_ray_claims(catalogue);
     add_camera_claims(catalogue);
     add_film_claims(catalogue);
     add_direct_closed_form_claims(catalogue);

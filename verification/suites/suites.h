@@ -35,6 +35,7 @@ void add_warp_claims(Catalogue& catalogue);
 void add_light_claims(Catalogue& catalogue);
 void add_light_irradiance_claims(Catalogue& catalogue);
 void add_light_rate_claims(Catalogue& catalogue);
+void add_light_ray_claims(Catalogue& catalogue);
 void add_camera_claims(Catalogue& catalogue);
 void add_film_claims(Catalogue& catalogue);
 void add_direct_closed_form_claims(Catalogue& catalogue);
