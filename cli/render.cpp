@@ -118,6 +118,7 @@ int render(const RenderOptions& options) {
     const fs::path file = scene_file(options.scene);
     const fs::path out = options.out.empty() ? fs::path("out") / (name_of(file) + ".exr") : fs::path(options.out);
     check_writable(out);
+    check_image_format(out);
     RunInfo info = start_run(options.seed, options.threads);
     RenderSettings settings{.sampler = options.sampler, .seed = info.seed};
     if (options.time)
@@ -126,8 +127,9 @@ int render(const RenderOptions& options) {
         settings = with_samples(settings, options.samples_per_pixel);
     Sampler(settings.sampler, 1);  // knows the name, or says so before the work begins
     const Scene scene(load_mitsuba(file, {options.definitions, options.lenient}));
-    print_notes(scene.description());
     settings.crop = crop_of(options.crop, scene.sensor().film());
+    check_crop(settings.crop, scene.sensor().film());
+    print_notes(scene.description());
 
     std::optional<Rendered> rendered;
     {

@@ -24,13 +24,6 @@ std::vector<FilmRegion> tiles_of(const FilmRegion& crop) {
     return tiles;
 }
 
-void check(const FilmRegion& crop, FilmSize film) {
-    if (crop.width < 1 || crop.height < 1 || crop.x < 0 || crop.y < 0 || crop.width > film.width - crop.x ||
-        crop.height > film.height - crop.y)
-        throw Error(fmt::format("crop {},{},{},{} of a film of {} x {} pixels: accepted are x,y,width,height within it",
-                                crop.x, crop.y, crop.width, crop.height, film.width, film.height));
-}
-
 std::array<Spectrum, 4> layers_of(const PathRecord& record) {
     std::array<Spectrum, 4> layers{record.sum()};
     if (record.vertices.empty()) return layers;
@@ -116,6 +109,13 @@ private:
 
 }  // namespace
 
+void check_crop(const FilmRegion& crop, FilmSize film) {
+    if (crop.width < 1 || crop.height < 1 || crop.x < 0 || crop.y < 0 || crop.width > film.width - crop.x ||
+        crop.height > film.height - crop.y)
+        throw Error(fmt::format("crop {},{},{},{} of a film of {} x {} pixels: accepted are x,y,width,height within it",
+                                crop.x, crop.y, crop.width, crop.height, film.width, film.height));
+}
+
 RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_pixel) {
     if (samples_per_pixel < 1) throw Error("0 samples a pixel; accepted are 1 and more");
     // Of two divisors as near to 16 as each other by ratio, the one with more samples a pass.
@@ -136,7 +136,7 @@ std::vector<FilmLayer> render_layers() {
 
 Rendered render(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings,
                 const std::function<bool(const RenderProgress&)>& go_on) {
-    check(settings.crop, scene.sensor().film());
+    check_crop(settings.crop, scene.sensor().film());
     const std::vector<FilmRegion> tiles = tiles_of(settings.crop);
     const FilmSize size{settings.crop.width, settings.crop.height};
     Rendered result{Film(size, render_layers())};
