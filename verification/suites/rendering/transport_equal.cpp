@@ -11,7 +11,8 @@ namespace {
 struct Subject {
     std::string name, title;
     const Scene& (*scene)();
-    double mean;  ///< luminance of the film's mean, to two digits: δ is a part of it
+    double mean;          ///< of the film's luminance, to two digits, lights seen directly left out: the unit of δ
+    double quick = 0.02;  ///< δ in the quick size
 };
 
 using Made = std::shared_ptr<const PathEstimator>;
@@ -33,12 +34,15 @@ Verdict same_mean(const Scene& scene, const FilmRegion& region, const PathEstima
         const double first = of_a.draw(random);
         return of_b.draw(random) - first;
     };
-    return mean_is(draw, {.delta = delta, .epsilon = 1e-5 * delta}, run);
+    return mean_is(
+        draw,
+        {.delta = delta, .epsilon = 1e-5 * delta, .cap = run.pick(std::uint64_t{1} << 14, std::uint64_t{1} << 20)},
+        run);
 }
 
 Verdict same_film(const Subject& subject, const Made& a, const Made& b, const Run& run) {
     const Scene& scene = subject.scene();
-    return same_mean(scene, whole_film(scene), *a, *b, run.pick(0.02, 0.005) * subject.mean, 0, run);
+    return same_mean(scene, whole_film(scene), *a, *b, run.pick(subject.quick, 0.005) * subject.mean, 0, run);
 }
 
 // A quarter of the film each; its light is known to lie within a factor of two of the film's.
@@ -57,7 +61,7 @@ Verdict same_lengths(const Subject& subject, const Made& a, const Made& b, const
     const Scene& scene = subject.scene();
     std::vector<Verdict> parts;
     for (int k = 2; k <= 4; ++k)
-        parts.push_back(same_mean(scene, whole_film(scene), *a, *b, run.pick(0.02, 0.005) * subject.mean, k,
+        parts.push_back(same_mean(scene, whole_film(scene), *a, *b, run.pick(subject.quick, 0.005) * subject.mean, k,
                                   run.part(fmt::format("length {}", k), 1.0 / 3)));
     return all_of(std::move(parts));
 }
@@ -73,7 +77,7 @@ Verdict strategies_agree(const Scene& scene, int length, const std::function<voi
             bdpt.weight = strategy_alone({s, t});
             if (change) change(bdpt);
         });
-        parts.push_back(same_mean(scene, whole_film(scene), *path, *alone, run.pick(0.05, 0.01) * 0.15, length,
+        parts.push_back(same_mean(scene, whole_film(scene), *path, *alone, run.pick(0.1, 0.01) * 0.018, length,
                                   run.part(fmt::format("({}, {})", s, t), 1 / strategies)));
     }
     return all_of(std::move(parts));
@@ -103,9 +107,14 @@ void add(Catalogue& catalogue, const Subject& subject, const std::string& id, co
 double without_correction(const PathVertex&, Vec3) {
     return 1;
 }
-double inverse_correction(const PathVertex& vertex, Vec3 wi) {
-    const double right = shading_correction(vertex, wi);
-    return right > 0 ? 1 / right : 0;
+double inverted(const SubpathVertex& x, const SubpathVertex& y) {
+    return 1 / falloff(x, y);
+}
+double without_cosine(const SubpathVertex& x, const SubpathVertex& y) {
+    return falloff(x, y) / std::abs(dot(y.normal(), y.towards(x)));
+}
+std::function<void(Bdpt&)> with_falloff(Falloff other) {
+    return [other](Bdpt& bdpt) { bdpt.rules.falloff = other; };
 }
 
 double mirrors_ignored(const PathChain& chain, int t) {
@@ -114,74 +123,85 @@ double mirrors_ignored(const PathChain& chain, int t) {
     return strategy_weight(other, t);
 }
 
+template <class E>
+Made correct(int longest) {
+    return made<E>(longest);
+}
+Made without_light_samples(int longest) {
+    return made<Bdpt>(longest, [](Bdpt& bdpt) {
+        bdpt.weight = [](const PathChain& chain, int t) { return t == chain.edges() ? 0 : strategy_weight(chain, t); };
+    });
+}
+Defect left_out(int longest) {
+    return {"strategy-left-out", "Emitters are not sampled: strategies (1, t) are left out.",
+            without_light_samples(longest)};
+}
+
+void add_box(Catalogue& catalogue) {
+    const Subject box{"box", "a box of touching walls through a lens", box_scene, 0.12};
+    const Made path = correct<PathTracer>(4), light = correct<LightTracer>(4), bdpt = correct<Bdpt>(4);
+    add(catalogue, box, "path-is-light", "`path` and `light` agree on", same_film, path, light,
+        {{"dim", "Light paths carry 5 % less.", std::make_shared<Scaled>(light, 0.95)}});
+    add(catalogue, box, "path-is-bdpt", "`path` and `bdpt` agree on", same_film, path, bdpt, {left_out(4)});
+    add(catalogue, box, "lengths-agree", "At each length, `path` and `bdpt` agree on", same_lengths, path, bdpt,
+        {left_out(4)});
+    add(catalogue, box, "tiles-agree", "In each quarter of the film, `light` and `bdpt` agree on", same_tiles, bdpt,
+        light, {{"dim", "Light paths carry 60 % less.", std::make_shared<Scaled>(light, 0.4)}});
+}
+
+void add_rough(Catalogue& catalogue) {
+    const Subject rough{"rough", "rough glass, metal and coats", rough_scene, 0.08, 0.04};
+    const Made path = correct<PathTracer>(3), bdpt = correct<Bdpt>(3);
+    add(catalogue, rough, "path-is-bdpt", "`path` and `bdpt` agree on", same_film, path, bdpt, {left_out(3)});
+}
+
+void add_caustic(Catalogue& catalogue) {
+    const Subject caustic{"caustic", "light out of a ball of glass and off a mirror", caustic_scene, 0.16, 0.04};
+    const Made path = correct<PathTracer>(4), light = correct<LightTracer>(4), bdpt = correct<Bdpt>(4);
+    add(catalogue, caustic, "path-is-light", "`path` and `light` agree on", same_film, path, light,
+        {{"eta-squared-on-both-sides", "Refraction compresses light on its way from the source too.",
+          made<LightTracer>(4, [](LightTracer& tracer) { tracer.carries = Transport::radiance; })}});
+    add(catalogue, caustic, "path-is-bdpt", "`path` and `bdpt` agree on", same_film, path, bdpt,
+        {{"mirror-connected", "Weights count connections to mirrors as if they could be made.",
+          made<Bdpt>(4, [](Bdpt& other) { other.weight = mirrors_ignored; })},
+         {"eta-squared-on-both-sides", "Refraction compresses the light's subpath too.",
+          made<Bdpt>(4, [](Bdpt& other) { other.rules.from_light = Transport::radiance; })},
+         {"eta-squared-on-neither-side", "Refraction does not compress the sensor's subpath.",
+          made<Bdpt>(4, [](Bdpt& other) { other.rules.from_camera = Transport::importance; })}});
+}
+
+void add_smooth_normals(Catalogue& catalogue) {
+    const Subject smooth{"smooth-normals", "a surface with shading normals", smooth_normals_scene, 0.145, 0.04};
+    const Made path = correct<PathTracer>(4), light = correct<LightTracer>(4), bdpt = correct<Bdpt>(4);
+    add(catalogue, smooth, "path-is-light", "`path` and `light` agree on", same_film, path, light,
+        {{"without-correction", "Veach's factor for shading normals is missing.",
+          made<LightTracer>(4, [](LightTracer& tracer) { tracer.correction = without_correction; })}});
+    add(catalogue, smooth, "path-is-bdpt", "`path` and `bdpt` agree on", same_film, path, bdpt, {left_out(4)});
+}
+
+void add_strategies(Catalogue& catalogue) {
+    const auto check = [](const std::function<void(Bdpt&)>& change) {
+        return [change](const Run& run) { return strategies_agree(plates_scene(), 3, change, run); };
+    };
+    catalogue.add({.id = "render/bdpt/strategies-alone",
+                   .statement = "Each strategy of three edges alone agrees with `path` where no surfaces touch.",
+                   .source = "[Veach 1997, section 10.2]",
+                   .kind = Kind::mean,
+                   .check = check({}),
+                   .mutants = {{"inverted-jacobian", "Connections are multiplied by d² instead of 1/d².",
+                                check(with_falloff(inverted))},
+                               {"one-cosine", "The cosine at the light's end of connections is left out.",
+                                check(with_falloff(without_cosine))}}});
+}
+
 }  // namespace
 
 void add_transport_equal_claims(Catalogue& catalogue) {
-    const Subject box{"box", "a box of touching walls", box_scene, 0.3};
-    const Subject rough{"rough", "rough glass, metal and coats through a lens", rough_scene, 0.3};
-    const Subject caustic{"caustic", "light out of a ball of glass and off a mirror", caustic_scene, 0.3};
-    const Subject smooth{"smooth-normals", "a surface with shading normals", smooth_normals_scene, 0.3};
-    const auto path = [](int longest) { return made<PathTracer>(longest); };
-    const auto light = [](int longest) { return made<LightTracer>(longest); };
-    const auto bdpt = [](int longest) { return made<Bdpt>(longest); };
-
-    const std::vector<Defect> no_direct{{"strategy-left-out",
-                                         "Emitters are not sampled: strategies (1, t) are left out.",
-                                         made<Bdpt>(4, [](Bdpt& bdpt) {
-                                             bdpt.weight = [](const PathChain& chain, int t) {
-                                                 return t == chain.edges() ? 0 : strategy_weight(chain, t);
-                                             };
-                                         })}};
-    add(catalogue, box, "path-is-light", "`path` and `light` agree on", same_film, path(4), light(4),
-        {{"dim", "Light paths carry 5 % less.", std::make_shared<Scaled>(light(4), 0.95)}});
-    add(catalogue, box, "path-is-bdpt", "`path` and `bdpt` agree on", same_film, path(4), bdpt(4), no_direct);
-    add(catalogue, box, "lengths-agree", "At each length, `path` and `bdpt` agree on", same_lengths, path(4), bdpt(4),
-        no_direct);
-    add(catalogue, box, "tiles-agree", "In each quarter of the film, `light` and `bdpt` agree on", same_tiles, bdpt(4),
-        light(4), {{"dim", "Light paths carry 60 % less.", std::make_shared<Scaled>(light(4), 0.4)}});
-
-    const std::vector<Defect> dim{{"dim", "Light paths carry 5 % less.", std::make_shared<Scaled>(light(3), 0.95)}};
-    add(catalogue, rough, "path-is-light", "`path` and `light` agree on", same_film, path(3), light(3), dim);
-    add(catalogue, rough, "path-is-bdpt", "`path` and `bdpt` agree on", same_film, path(3), bdpt(3),
-        {{"eta-squared-on-both-sides", "Refraction compresses the light's subpath too.",
-          made<Bdpt>(3, [](Bdpt& bdpt) { bdpt.rules.from_light = Transport::radiance; })}});
-
-    const auto squared = made<LightTracer>(4, [](LightTracer& tracer) { tracer.carries = Transport::radiance; });
-    add(catalogue, caustic, "path-is-light", "`path` and `light` agree on", same_film, path(4), light(4),
-        {
-            {"eta-squared-on-both-sides", "Refraction compresses light on its way from the source too.", squared},
-        });
-    add(catalogue, caustic, "path-is-bdpt", "`path` and `bdpt` agree on", same_film, path(4), bdpt(4),
-        {{"mirror-connected", "Weights count connections to mirrors as if they could be made.",
-          made<Bdpt>(4, [](Bdpt& bdpt) { bdpt.weight = mirrors_ignored; })},
-         {"eta-squared-on-both-sides", "Refraction compresses the light's subpath too.",
-          made<Bdpt>(4, [](Bdpt& bdpt) { bdpt.rules.from_light = Transport::radiance; })},
-         {"eta-squared-on-neither-side", "Refraction does not compress the sensor's subpath.",
-          made<Bdpt>(4, [](Bdpt& bdpt) { bdpt.rules.from_camera = Transport::importance; })}});
-
-    add(catalogue, smooth, "path-is-light", "`path` and `light` agree on", same_film, path(4), light(4),
-        {{"without-correction", "Veach's factor for shading normals is missing.",
-          made<LightTracer>(4, [](LightTracer& tracer) { tracer.correction = without_correction; })},
-         {"inverse-correction", "Veach's factor for shading normals is inverted.",
-          made<LightTracer>(4, [](LightTracer& tracer) { tracer.correction = inverse_correction; })}});
-    add(catalogue, smooth, "path-is-bdpt", "`path` and `bdpt` agree on", same_film, path(4), bdpt(4),
-        {{"inverse-correction", "Veach's factor for shading normals is inverted.",
-          made<Bdpt>(4, [](Bdpt& bdpt) { bdpt.rules.correction = inverse_correction; })}});
-
-    catalogue.add(
-        {.id = "render/bdpt/strategies-alone",
-         .statement = "Each strategy of three edges alone agrees with `path` where no surfaces touch.",
-         .source = "[Veach 1997, section 10.2]",
-         .kind = Kind::mean,
-         .check = [](const Run& run) { return strategies_agree(plates_scene(), 3, {}, run); },
-         .mutants = {{"inverted-jacobian", "Connections are multiplied by d² instead of 1/d².", [](const Run& run) {
-                          const auto change = [](Bdpt& bdpt) {
-                              bdpt.rules.falloff = [](const SubpathVertex& x, const SubpathVertex& y) {
-                                  return 1 / falloff(x, y);
-                              };
-                          };
-                          return strategies_agree(plates_scene(), 3, change, run);
-                      }}}});
+    add_box(catalogue);
+    add_rough(catalogue);
+    add_caustic(catalogue);
+    add_smooth_normals(catalogue);
+    add_strategies(catalogue);
 }
 
 }  // namespace plumb

@@ -18,7 +18,8 @@ double RegionMean::draw(RandomStream& random) const {
     for (std::uint32_t i = 0; i < n; ++i) {
         numbers.start({seed, 0, i});
         estimator.trace(scene, region, numbers, record);
-        if (length > 0) std::erase_if(record.splats, [this](const Splat& splat) { return splat.edges != length; });
+        std::erase_if(record.splats,
+                      [this](const Splat& splat) { return length > 0 ? splat.edges != length : splat.edges == 1; });
         sum += luminance(region_mean(record, region, scene.sensor().filter()));
     }
     return sum / n;
@@ -87,6 +88,8 @@ const Scene& box_scene() {
         add_plate(box, {-0.1, 0, -1}, {0, 0, 1 + top}, {0, 0.6, 0}, white);
         box.sensor = camera({0, -3.4, 0.1}, {0, 0, 0}, 40, 32, 32);
         box.sensor->film.filter = {description::FilterKind::gaussian, 2, 0.5};
+        box.sensor->aperture_radius = 0.08;
+        box.sensor->focus_distance = 3;
         return box;
     }());
     return scene;
@@ -98,14 +101,14 @@ const Scene& rough_scene() {
         const auto floor = diffuse(rough, 0.6);
         const auto metal = add_material(
             rough, description::Conductor{Spectrum::rgb(0.2, 0.9, 1.1), Spectrum::rgb(3.9, 2.4, 2.2), Spectrum::grey(1),
-                                          description::Roughness{description::Microfacets::ggx, 0.3}});
+                                          description::Roughness{description::Microfacets::ggx, 0.5}});
         const auto glass =
             add_material(rough, description::Dielectric{1.5, Spectrum::grey(1), Spectrum::grey(1),
                                                         description::Roughness{description::Microfacets::ggx, 0.4}});
         const auto coated =
             add_material(rough, description::Plastic{1.5, Spectrum::grey(0.5), Spectrum::grey(1), true,
                                                      description::Roughness{description::Microfacets::beckmann, 0.3}});
-        add_plate(rough, {-3, -2, -1}, {6, 0, 0}, {0, 5, 0}, floor);
+        add_plate(rough, {-2, -1.2, -1}, {4, 0, 0}, {0, 2.4, 0}, floor);
         add_ball(rough, {-1.3, 0.4, -0.3}, 0.7, metal);
         add_ball(rough, {0, -0.3, -0.45}, 0.55, glass);
         add_ball(rough, {1.3, 0.4, -0.3}, 0.7, coated);
@@ -113,8 +116,6 @@ const Scene& rough_scene() {
         rough.emitters.push_back({description::PointLight{{0.5, -1.5, 2.5}, Spectrum::grey(5)}, {}});
         rough.sensor = camera({0, -4, 1}, {0, 0, -0.4}, 50, 32, 32);
         rough.sensor->film.filter = {description::FilterKind::tent, 1, 0.5};
-        rough.sensor->aperture_radius = 0.08;
-        rough.sensor->focus_distance = 4;
         return rough;
     }());
     return scene;
@@ -128,10 +129,10 @@ const Scene& caustic_scene() {
             add_material(caustic, description::Dielectric{1.5, Spectrum::grey(1), Spectrum::grey(1), {}});
         const auto mirror = add_material(caustic, description::Conductor{{}, {}, Spectrum::grey(0.9), {}});
         add_plate(caustic, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, floor);
-        add_ball(caustic, {0, 0, 1.2}, 0.6, glass);
-        add_ball(caustic, {0.1, 0, 1.2}, 0.25, black, 4.0);
+        add_ball(caustic, {0, 0, 1}, 0.8, glass);
+        add_ball(caustic, {0, 0, 1}, 0.5, black, 4.0);  // too small for total reflection
         add_plate(caustic, {-1.6, -1, 0.2}, {0, 2, 0}, {0.3, 0, 1.6}, mirror);
-        caustic.sensor = camera({0, -3, 0.6}, {0, -0.9, 0}, 25, 32, 32);
+        caustic.sensor = camera({0, -2.6, 1.6}, {0, -1.3, 0}, 25, 32, 32);
         return caustic;
     }());
     return scene;
@@ -146,8 +147,8 @@ const Scene& smooth_normals_scene() {
         octahedron.normals = octahedron.positions;
         octahedron.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
         add_shape(smooth, octahedron, white);
-        add_plate(smooth, {-3, -3, -1.2}, {6, 0, 0}, {0, 6, 0}, white);
-        add_plate(smooth, {-2, -2.5, 2.5}, {0, 1.5, 0}, {1.5, 0, 0}, black, 8.0);
+        add_plate(smooth, {-1.5, -1.5, -1.2}, {3, 0, 0}, {0, 3, 0}, white);
+        add_plate(smooth, {-1.5, -2, 1.5}, {0, 1.5, 0}, {1.5, 0, 0}, black, 8.0);
         smooth.sensor = camera({1.5, -4, 1.2}, {0, 0, -0.1}, 32, 32, 32);
         return smooth;
     }());

@@ -9,7 +9,8 @@ namespace plumb {
 
 // What the claims of light and bidirectional tracing share: small scenes, and the mean of a film region.
 
-/// The mean luminance of a region by n paths, their numbers Owen-scrambled; of paths of one length, or of all.
+/// The mean luminance of a region by n paths, their numbers Owen-scrambled; of paths of one length, or of all but one
+/// edge: what is seen directly, every integrator finds alike.
 struct RegionMean {
     const Scene& scene;
     const PathEstimator& estimator;
@@ -26,9 +27,10 @@ FilmRegion whole_film(const Scene& scene);
 const Scene& glowing_sphere();
 const Scene& sphere_around_point();
 
-/// Diffuse and lit by a rectangle: walls that touch, and a block. Pixels by a Gaussian that reaches out of the film.
+/// Diffuse and lit by a rectangle: walls that touch, and a block. Through a lens; pixels by a Gaussian that reaches out
+/// of the film.
 const Scene& box_scene();
-/// Rough metal, rough glass, a rough coat and a floor, through a lens, under a constant sky, with a point light.
+/// Rough metal, rough glass, a rough coat and a floor, under a constant sky, with a point light.
 const Scene& rough_scene();
 /// A floor lit by a sphere light within a ball of glass and by a mirror, both out of the camera's sight.
 const Scene& caustic_scene();

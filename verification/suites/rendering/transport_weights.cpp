@@ -121,7 +121,7 @@ using Source = PathClass::Source;
 using Classes = std::set<PathClass>;
 using Predicate = bool (*)(Transporter, const PathClass&);
 
-constexpr int most_edges = 5;
+constexpr int most_edges = 4;
 
 PathClass class_of(std::span<const PathVertex> vertices, Source source) {
     PathClass path{{}, source};
@@ -157,7 +157,7 @@ Classes counted(Transporter transporter, Source source, std::uint32_t samples) {
             const auto between = static_cast<std::size_t>(splat.edges - 1);
             PathClass one =
                 class_of({(splat.anywhere ? record.light_vertices : record.vertices).data(), between}, source);
-            if (splat.anywhere) std::ranges::reverse(one.mirrors);
+            if (splat.anywhere) std::reverse(one.mirrors.begin(), one.mirrors.end());
             classes.insert(one);
         }
     }
@@ -168,7 +168,7 @@ Classes counted(Transporter transporter, Source source, std::uint32_t samples) {
 Verdict classes_are(Predicate predicate, const Run& run) {
     constexpr std::array all{Transporter::path, Transporter::light, Transporter::bdpt};
     constexpr std::array<const char*, 3> names{"path", "light", "bdpt"};
-    const auto samples = run.pick(6000u, 100'000u);
+    const auto samples = run.pick(20'000u, 200'000u);
     std::uint64_t cases = 0;
     for (const Source source : {Source::surface, Source::point, Source::environment}) {
         run.end_if_stopped();
