@@ -77,7 +77,7 @@ Verdict strategies_agree(const Scene& scene, int length, const std::function<voi
             bdpt.weight = strategy_alone({s, t});
             if (change) change(bdpt);
         });
-        parts.push_back(same_mean(scene, whole_film(scene), *path, *alone, run.pick(0.1, 0.01) * 0.018, length,
+        parts.push_back(same_mean(scene, whole_film(scene), *path, *alone, run.pick(0.15, 0.01) * 0.018, length,
                                   run.part(fmt::format("({}, {})", s, t), 1 / strategies)));
     }
     return all_of(std::move(parts));
@@ -171,7 +171,7 @@ void add_caustic(Catalogue& catalogue) {
 }
 
 void add_smooth_normals(Catalogue& catalogue) {
-    const Subject smooth{"smooth-normals", "a surface with shading normals", smooth_normals_scene, 0.145, 0.04};
+    const Subject smooth{"smooth-normals", "a surface with shading normals", smooth_normals_scene, 0.067, 0.04};
     const Made path = correct<PathTracer>(4), light = correct<LightTracer>(4), bdpt = correct<Bdpt>(4);
     add(catalogue, smooth, "path-is-light", "`path` and `light` agree on", same_film, path, light,
         {{"without-correction", "Veach's factor for shading normals is missing.",
