@@ -6,7 +6,7 @@ namespace plumb {
 
 namespace {
 
-using Light = PathClass::Light;
+using Source = PathClass::Source;
 
 // Which kinds of scattering a material has by itself; of two-sided ones and masks, the nested materials say it.
 struct Scatters {
@@ -31,9 +31,9 @@ Scatters scattering(const description::Mask&) {
     return {};
 }
 
-Light kind_of(const plumb::Light& light) {
-    if (is_environment(light)) return Light::environment;
-    return std::holds_alternative<PointLight>(light) ? Light::point : Light::surface;
+Source kind_of(const Light& light) {
+    if (is_environment(light)) return Source::environment;
+    return std::holds_alternative<PointLight>(light) ? Source::point : Source::surface;
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ Light kind_of(const plumb::Light& light) {
 std::string to_string(const PathClass& path) {
     std::string name = "E";
     for (const bool mirror : path.mirrors) name += mirror ? 'S' : 'D';
-    return name + (path.light == Light::surface ? 'L' : path.light == Light::point ? 'P' : 'V');
+    return name + (path.source == Source::surface ? 'L' : path.source == Source::point ? 'P' : 'V');
 }
 
 std::vector<PathClass> path_classes(const Scene& scene, int edges) {
@@ -50,22 +50,22 @@ std::vector<PathClass> path_classes(const Scene& scene, int edges) {
         const Scatters one = std::visit([](const auto& kind) { return scattering(kind); }, material.kind);
         some = {some.smoothly || one.smoothly, some.by_mirror || one.by_mirror};
     }
-    std::vector<Light> lights;
-    for (const plumb::Light& light : scene.lights())
-        if (!std::ranges::count(lights, kind_of(light))) lights.push_back(kind_of(light));
+    std::vector<Source> sources;
+    for (const Light& light : scene.lights())
+        if (!std::ranges::count(sources, kind_of(light))) sources.push_back(kind_of(light));
     std::vector<PathClass> classes;
     for (unsigned bits = 0; bits < 1u << (edges - 1); ++bits) {
         std::vector<bool> mirrors;
         for (int i = 0; i < edges - 1; ++i) mirrors.push_back(bits >> i & 1);
         if (!some.smoothly && std::ranges::count(mirrors, false)) continue;
         if (!some.by_mirror && std::ranges::count(mirrors, true)) continue;
-        for (const Light light : lights) classes.push_back({mirrors, light});
+        for (const Source source : sources) classes.push_back({mirrors, source});
     }
     return classes;
 }
 
 bool can_make(Transporter transporter, const PathClass& path) {
-    const bool met = path.light != Light::point;
+    const bool met = path.source != Source::point;
     if (path.mirrors.empty()) return met;
     const bool sampled = !path.mirrors.back(), seen = !path.mirrors.front();
     switch (transporter) {

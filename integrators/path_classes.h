@@ -10,11 +10,11 @@ namespace plumb {
 
 /// Paths that an integrator can make all or none of. The lens, pinhole or not, is on no surface: nothing hits it.
 struct PathClass {
-    enum class Light { surface, point, environment };
+    enum class Source { surface, point, environment };
 
     std::vector<bool> mirrors;  ///< of each surface vertex from the sensor on, whether a mirror or smooth interface
                                 ///< scatters there (their directions have no density), or the rest of a material
-    Light light;
+    Source source;
 
     [[nodiscard]] int edges() const { return static_cast<int>(mirrors.size()) + 1; }
     friend auto operator<=>(const PathClass&, const PathClass&) = default;

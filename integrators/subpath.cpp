@@ -132,9 +132,10 @@ private:
     std::optional<Flight> scatter(const Flight& flight, int edges) {
         SubpathVertex &at = path_.back(), &before = path_[path_.size() - 2];
         const PathVertex& surface = *at.surface;
-        const auto sample = transport_ == Transport::radiance ? sample_bsdf(surface, slot(edges), samples_, transport_)
-                                                              : sample_importance(surface, slot(edges), samples_,
-                                                                                  rules_.correction, rules_.from_light);
+        const auto sample =
+            transport_ == Transport::radiance
+                ? sample_bsdf(surface, slot(edges), samples_, rules_.from_camera)
+                : sample_importance(surface, slot(edges), samples_, rules_.correction, rules_.from_light);
         if (!sample) return {};
         at.discrete = sample->measure == Measure::discrete;
         const double back = at.discrete

@@ -47,7 +47,8 @@ struct SubpathRules {
     ShadingCorrection correction = shading_correction;
     PerArea per_area = plumb::per_area;
     Falloff falloff = plumb::falloff;
-    Transport from_light = Transport::importance;  ///< what a light's subpath carries
+    /// What a subpath from either end carries.
+    Transport from_camera = Transport::radiance, from_light = Transport::importance;
 };
 
 /// The density with which light or importance that reaches `at` from `before` goes on to `next`; `before` is null where

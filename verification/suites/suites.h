@@ -44,6 +44,7 @@ void add_direct_pixel_claims(Catalogue& catalogue);
 void add_direct_rate_claims(Catalogue& catalogue);
 void add_direct_technique_claims(Catalogue& catalogue);
 void add_direct_visibility_claims(Catalogue& catalogue);
+void add_path_claims(Catalogue& catalogue);
 void add_surface_claims(Catalogue& catalogue);
 void add_texture_claims(Catalogue& catalogue);
 void add_bsdf_model_claims(Catalogue& catalogue);  ///< every model against its own words
