@@ -37,7 +37,8 @@ description::Scene open_scene(const std::string& kind, Vec3 at) {
 using End = std::function<SurfacePoint(const SurfacePoint&)>;
 
 Verdict light_is_seen(const std::string& kind, const End& end, const Run& run) {
-    std::uint64_t count = 0, hidden = 0, rays = 0;
+    std::uint64_t count = 0, hidden = 0;
+    RayLog rays;
     for (int exponent = -1; exponent <= 12; ++exponent) {
         RandomStream random = run.random(static_cast<std::uint64_t>(exponent + 1));
         const Vec3 at = exponent < 0 ? Vec3{} : std::exp2(exponent) * normalize(Vec3{1, -0.7, 0.4});
