@@ -190,7 +190,7 @@ Verdict is_white(const PathEstimator& estimator, const Run& run) {
     add_receiver(description, {}, {0, 0, 1}, white);
     add_polygon(description, {{-1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {1, -1, -1}}, white, Spectrum::grey(1));
     // Flux into the scene's ball against that of 4 units of area behind the receiver that look away.
-    const double radius = radius_of(description.shapes), sky = pi * pi * radius * radius, rectangle = 4 * pi;
+    const double radius = ball_around(description.shapes).radius, sky = pi * pi * radius * radius, rectangle = 4 * pi;
     description.shapes.back().emitter->radiance = Spectrum::grey(sky / rectangle);
     description.emitters.push_back({description::ConstantSky{Spectrum::grey(1)}, {}});
     description.sensor = camera({0, 0, 0.1}, {});
