@@ -45,6 +45,9 @@ Catalogue shipped_catalogue() {
     add_texture_claims(catalogue);
     add_bsdf_model_claims(catalogue);
     add_bsdf_term_claims(catalogue);
+    add_transport_closed_claims(catalogue);
+    add_transport_equal_claims(catalogue);
+    add_transport_weight_claims(catalogue);
     return catalogue;
 }
 

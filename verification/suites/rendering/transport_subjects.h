@@ -1,0 +1,42 @@
+#pragma once
+
+#include "integrators/bdpt.h"
+#include "integrators/light.h"
+#include "integrators/path_classes.h"
+#include "verification/suites/rendering/direct_subjects.h"
+
+namespace plumb {
+
+// What the claims of light and bidirectional tracing share: small scenes, and the mean of a film region.
+
+/// The mean luminance of a region by n paths, their numbers Owen-scrambled; of paths of one length, or of all.
+struct RegionMean {
+    const Scene& scene;
+    const PathEstimator& estimator;
+    FilmRegion region;
+    std::uint32_t n = 16;
+    int length = 0;
+
+    [[nodiscard]] double draw(RandomStream& random) const;
+};
+FilmRegion whole_film(const Scene& scene);
+
+/// Inside of a diffuse sphere of radius 2 and albedo ½ that emits ½, or is lit by a point of intensity 4π at its
+/// centre: paths of k edges bring 2^-k, or 2^(1-k) without those of one edge. The camera is off the centre.
+const Scene& glowing_sphere();
+const Scene& sphere_around_point();
+
+/// Diffuse and lit by a rectangle: walls that touch, and a block. Pixels by a Gaussian that reaches out of the film.
+const Scene& box_scene();
+/// Rough metal, rough glass, a rough coat and a floor, through a lens, under a constant sky, with a point light.
+const Scene& rough_scene();
+/// A floor lit by a sphere light within a ball of glass and by a mirror, both out of the camera's sight.
+const Scene& caustic_scene();
+/// An octahedron with the normals of a sphere, lit by a rectangle.
+const Scene& smooth_normals_scene();
+/// Three plates that do not touch, one of which shines.
+const Scene& plates_scene();
+/// Two balls of glass on a floor before a wall, lit by a surface, a point or the sky.
+const Scene& glass_scene(PathClass::Source source);
+
+}  // namespace plumb
