@@ -111,7 +111,8 @@ std::vector<std::size_t> refuted_tiles(const std::vector<TileTest>& tiles, doubl
         if (may_differ(tiles[i])) order.push_back(i);
     std::ranges::stable_sort(order, [&](std::size_t i, std::size_t j) {
         const MeanDifference &p = tiles[i].found, &q = tiles[j].found;
-        return p.p_value != q.p_value ? p.p_value < q.p_value : std::abs(p.z) > std::abs(q.z);
+        if (p.p_value != q.p_value) return p.p_value < q.p_value;
+        return std::abs(p.difference) * q.standard_error > std::abs(q.difference) * p.standard_error;
     });
     std::size_t count = 0;
     while (count < order.size() &&

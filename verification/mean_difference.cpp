@@ -37,10 +37,12 @@ double normal_score(double t, double degrees) {
     return tail >= 0.5 ? 0 : normal_upper_quantile(std::max(tail, 1e-300));
 }
 
-// Upper bound of the skewness of the larger of both sides' sums.
-double skewness_of(const DifferenceSums& sums, double scale, double variance, double inflation) {
-    const double third = std::max(std::abs(sums.third_a), std::abs(sums.third_b)) + 2 * std::sqrt(sums.third_error);
-    return inflation * inflation * scale * third / std::pow(variance, 1.5);
+// Of the larger of both sides' sums, with a number of standard errors upon it.
+double skewness_of(const DifferenceSums& sums, double errors, double inflation) {
+    const double third =
+        std::max(std::abs(sums.third_a), std::abs(sums.third_b)) + errors * std::sqrt(sums.third_error);
+    const double variance = sums.variance_a + sums.variance_b;
+    return variance > 0 ? std::sqrt(inflation) * third / std::pow(variance, 1.5) : 0;
 }
 
 }  // namespace
@@ -110,8 +112,9 @@ MeanDifference difference_of(const DifferenceSums& sums, const DifferenceSums& a
     // [Satterthwaite 1946], with E v² = σ⁴ (1 + 2/ν) taken into account: exact for a single variance.
     const double independent = sums.variance_a + sums.variance_b;
     if (sums.square > 0) found.degrees = std::max(1.0, independent * independent / (sums.square * rules.inflation) - 2);
-    found.skewness = std::max(skewness_of(sums, 1, variance, rules.inflation),
-                              skewness_of(around, n / static_cast<double>(around.pixels), variance, rules.inflation));
+    // A sum over n of m pixels like these has √(m/n) times the skewness of the sum over m.
+    const double share = std::sqrt(static_cast<double>(around.pixels) / n);
+    found.skewness = std::max(skewness_of(sums, 2, rules.inflation), share * skewness_of(around, 0, rules.inflation));
     found.z = std::copysign(normal_score(excess / found.standard_error, found.degrees), found.difference);
     found.p_value = skewed_p_value(found.z, found.skewness);
     const double reach = student_upper_quantile(rules.beta, found.degrees) * found.standard_error + rounding;

@@ -51,8 +51,8 @@ struct DifferenceRules {
     double delta = 0;  ///< absolute
 };
 
-/// Tests equality and gives the interval of the difference. `around`: sums from which the third cumulants are taken
-/// besides, scaled to as many pixels.
+/// Tests equality and gives the interval of the difference. `around`: sums of a larger region with it, whose skewness
+/// counts where it is more: spikes that the region has and these pixels happen to lack.
 MeanDifference difference_of(const DifferenceSums& sums, const DifferenceSums& around, const DifferenceRules& rules);
 
 /// Whether skewness allows intervals of this one-sided risk: skewness·z³/3 ≤ 1.

@@ -36,6 +36,7 @@ Catalogue shipped_catalogue() {
     add_surface_claims(catalogue);
     add_bsdf_model_claims(catalogue);
     add_bsdf_term_claims(catalogue);
+    add_compare_claims(catalogue);
     return catalogue;
 }
 
