@@ -9,6 +9,8 @@
 namespace plumb {
 namespace {
 
+constexpr double largest_score = 37;  // beyond that the normal tail is no double
+
 bool good(const Picture& a, const Picture& b, std::size_t k) {
     return std::isfinite(a.mean[k]) && std::isfinite(b.mean[k]);
 }
@@ -25,6 +27,12 @@ double around(const Picture& a, const Picture& b, int x, int y, std::size_t chan
             ++count;
         }
     return count > 0 ? sum / count : 0;
+}
+
+bool known_to_differ(const Picture& a, const Picture& b, std::size_t k) {
+    const double rounding = 2 * std::max(a.rounding, b.rounding) * (std::abs(a.mean[k]) + std::abs(b.mean[k]));
+    return a.variance[k] == 0 && b.variance[k] == 0 && std::min(a.degrees, b.degrees) >= 3 &&
+           std::abs(a.mean[k] - b.mean[k]) > rounding;
 }
 
 double finite_part(double variance, double degrees) {
@@ -57,6 +65,7 @@ void DifferenceSums::merge(const DifferenceSums& other) {
     third_a += other.third_a;
     third_b += other.third_b;
     third_error += other.third_error;
+    known_to_differ += other.known_to_differ;
 }
 
 DifferenceSums sums_of(const Picture& a, const Picture& b, const PixelBox& box, std::size_t channel) {
@@ -66,8 +75,10 @@ DifferenceSums sums_of(const Picture& a, const Picture& b, const PixelBox& box, 
             const std::size_t k = a.at(x, y, channel);
             if (!good(a, b, k)) continue;
             const double va = a.variance[k], vb = b.variance[k];
-            const double e = a.mean[k] - b.mean[k] - around(a, b, x, y, channel);
+            const double reach = 2 * std::sqrt(va + vb);
+            const double e = std::clamp(a.mean[k] - b.mean[k] - around(a, b, x, y, channel), -reach, reach);
             ++sums.pixels;
+            sums.known_to_differ += known_to_differ(a, b, k);
             sums.a += a.mean[k];
             sums.b += b.mean[k];
             sums.variance_a += va;
@@ -81,7 +92,7 @@ DifferenceSums sums_of(const Picture& a, const Picture& b, const PixelBox& box, 
 }
 
 double skewed_p_value(double z, double skewness) {
-    z = std::min(std::abs(z), 37.0);  // beyond that the tail is no double
+    z = std::min(std::abs(z), largest_score);
     if (skewness <= 0) return normal_two_sided_tail(z);
     // K spikes where n were expected, and their variance estimated as K: z = (n − K)/√K, K = n (1 − missing).
     const double n = 1 / (skewness * skewness), w = z * z / n;
@@ -117,6 +128,10 @@ MeanDifference difference_of(const DifferenceSums& sums, const DifferenceSums& a
     found.skewness = std::max(skewness_of(sums, 2, rules.inflation), share * skewness_of(around, 0, rules.inflation));
     found.z = std::copysign(normal_score(excess / found.standard_error, found.degrees), found.difference);
     found.p_value = skewed_p_value(found.z, found.skewness);
+    if (sums.known_to_differ > 0) {
+        found.z = std::copysign(largest_score, found.difference);
+        found.p_value = 0;
+    }
     const double reach = student_upper_quantile(rules.beta, found.degrees) * found.standard_error + rounding;
     found.interval = {found.difference - reach, found.difference + reach};
     return found;

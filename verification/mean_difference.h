@@ -30,16 +30,18 @@ struct DifferenceSums {
     std::uint64_t pixels = 0;
     double a = 0, b = 0;  ///< of values
     double variance_a = 0, variance_b = 0;
-    double square = 0;                ///< of variance² / (degrees + 2), both sides: unbiased for 1/degrees of σ⁴
-    double third_a = 0, third_b = 0;  ///< of third cumulants
-    double third_error = 0;           ///< variance of those
+    double square = 0;                  ///< of variance² / (degrees + 2), both sides: unbiased for 1/degrees of σ⁴
+    double third_a = 0, third_b = 0;    ///< of third cumulants
+    double third_error = 0;             ///< variance of those
+    std::uint64_t known_to_differ = 0;  ///< pixels without variance in both, of four replicates or more, and unequal
 
     void merge(const DifferenceSums& other);
 };
 
 /// The sums of a box. A mean and the variance estimated from the same n values have covariance κ₃/n, so that
 /// (a − b)·variance_a estimates the third cumulant of a's mean without bias, whatever the distribution, where both
-/// have the same expectation; what the eight neighbours differ by is taken off first, so that a bias hardly counts.
+/// have the same expectation. A bias must not look like a third cumulant: what the eight neighbours differ by is taken
+/// off first, and the rest is cut at two standard errors (a spike lies one away, whatever its size).
 DifferenceSums sums_of(const Picture& a, const Picture& b, const PixelBox& box, std::size_t channel);
 
 /// What a difference is judged by.

@@ -42,6 +42,16 @@ TEST(MeanDifference, OfKnownNumbersIsEquality) {
     EXPECT_EQ(difference(one, other).p_value, 0);
 }
 
+TEST(MeanDifference, BelievesPixelsThatNeverVaried) {
+    Picture a = grey(64, 1, 1, 15), b = grey(64, 1, 1, 15);
+    a.variance[3] = b.variance[3] = 0;
+    EXPECT_GT(difference(a, b).p_value, 0.5);
+    b.mean[3] = 1.01;
+    EXPECT_EQ(difference(a, b).p_value, 0);
+    a.degrees = 1;  // two replicates may be equal by chance, where a renderer rounds
+    EXPECT_GT(difference(a, b).p_value, 0.5);
+}
+
 TEST(MeanDifference, SeesASpike) {
     Picture a = grey(64, 0, 0.01, 15), b = grey(64, 0, 0.01, 15);
     EXPECT_LT(difference(a, b).skewness, 0.01);

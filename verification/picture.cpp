@@ -141,6 +141,11 @@ Picture picture_of(std::span<const Image> renders, std::span<const std::string> 
         if (renders[i].width != first.width || renders[i].height != first.height)
             throw Error(fmt::format("{}: is {}x{} pixels, {} {}x{}", names[i], renders[i].width, renders[i].height,
                                     names[0], first.width, first.height));
+        if (renders[i].of_integers)
+            throw Error(
+                fmt::format("{}: stores integers, which are cut off and rounded; a comparison needs floats, e.g. "
+                            "EXR",
+                            names[i]));
         sources.push_back(indices(renders[i], names[i], picture.channels));
         layers = layers && has_variance(renders[i], picture.channels);
         picture.rounding = std::max(picture.rounding, rounding_of(renders[i]));

@@ -57,6 +57,7 @@ TEST(Picture, SaysWhatIsMissing) {
     };
     EXPECT_THAT(error({grey({1})}), HasSubstr("p.exr: one image without layers variance.Y"));
     EXPECT_THAT(error({grey({1}), grey({1, 2})}), HasSubstr("q.exr: is 2x1 pixels, p.exr 1x1"));
+    EXPECT_THAT(error({Image{1, 1, {"Y"}, {1}, {}, true}}), HasSubstr("p.exr: stores integers"));
     EXPECT_THAT(error({Image{1, 1, {"Z"}, {1}}}), HasSubstr("p.exr: has channels Z; accepted: R, G and B"));
     EXPECT_THAT(error({Image{1, 1, {"Y", "variance.Y"}, {1, 1}}}), HasSubstr("no attribute plumb:replicates"));
     EXPECT_THAT(error({Image{1, 1, {"Y", "variance.Y"}, {1, 1}, {{"plumb:replicates", "1"}}}}),

@@ -194,7 +194,7 @@ std::vector<Spoiled> spoiled_renders() {
     SyntheticRender light_missing = render(), spiky = render(), clamped = render();
     light_missing.law = [](RandomStream& random, int x, int y) {
         const double sample = even_noise(random, x, y);
-        return x >= 16 && random.uniform() < 0.01 ? 0 : sample;
+        return x >= 16 && y >= 8 && random.uniform() < 0.01 ? 0 : sample;
     };
     spiky.law = spiky_noise(50, 10);
     clamped.law = [law = spiky.law](RandomStream& random, int x, int y) { return std::min(5.0, law(random, x, y)); };
@@ -207,9 +207,9 @@ std::vector<Spoiled> spoiled_renders() {
         {"half-pixel", "Half a pixel aside.", seen(radiance, 1, 0.5)},
         {"filter-width", "A filter of twice the width.", seen(radiance, 2)},
         {"light-missing",
-         "A light of one half of the picture is left out in 1 % of the samples.",
+         "A light of a part of the picture is left out in 1 % of the samples.",
          against(light_missing),
-         {16, 0, 16, 32}},
+         {16, 8, 16, 24}},
         {"fireflies-clamped", "Samples are cut off at five times the mean.", [=](std::uint64_t seed) {
              return std::pair{spiky(2 * seed), clamped(2 * seed + 1)};
          }}};
