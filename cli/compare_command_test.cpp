@@ -1,9 +1,11 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/command_test.h"
 #include "core/image.h"
+#include "core/random.h"
 
 namespace plumb {
 namespace {
@@ -18,8 +20,9 @@ protected:
         Image image{32, 32, {"B", "G", "R", "variance.B", "variance.G", "variance.R"}, {}};
         metadata["plumb:replicates"] = "16";
         image.metadata = metadata;
+        RandomStream random(stream_id(name));
         for (int i = 0; i < 32 * 32; ++i) {
-            const float noise = 1 + 0.1f * static_cast<float>((i * 7919 + name[0] * 104729) % 1009 - 504) / 291;
+            const auto noise = static_cast<float>(1 + 0.1 * std::sqrt(12) * (random.uniform() - 0.5));
             for (int c = 0; c < 3; ++c) image.values.push_back(value * noise);
             for (int c = 0; c < 3; ++c) image.values.push_back(0.01f * value * value);
         }

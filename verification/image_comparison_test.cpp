@@ -122,6 +122,19 @@ TEST(ImageComparison, NamesTheTilesThatDiffer) {
     EXPECT_THAT(found.verdict.reason, HasSubstr("the 8x8 pixels at (16, 40)"));
 }
 
+TEST(ImageComparison, DoesNotTakeABiasForCorrelation) {
+    SyntheticRender render = exponential(), dark = render;
+    render.samples = dark.samples = 400;
+    dark.truth = [](int x, int y) {
+        SyntheticRender::Colour c = gradient(x, y);
+        for (double& v : c) v *= x > 11 && y > 7 ? 0.95 : 1;
+        return c;
+    };
+    const ImageComparison found = compared(render(1), dark(2));
+    EXPECT_LT(found.correlation.inflation, 2);
+    EXPECT_EQ(found.verdict.outcome, Outcome::refuted);
+}
+
 TEST(ImageComparison, RefutesSharedSamples) {
     const Image image = exponential()(1);
     const ImageComparison same = compared(image, image);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/moments.h"
+
 namespace plumb {
 namespace {
 
@@ -109,10 +111,39 @@ double products(const std::vector<Errors>& fields, int width, int height, int dx
     return found;
 }
 
-}  // namespace
+/// How much larger squared differences are than the variances say: a share of them that a bias has, with its standard
+/// error. Expectation 0 for true estimates, correlated or not.
+struct Excess {
+    double value = 0, error = 0;
+};
 
-Correlation correlation_of(const Picture& a, const Picture& b, int farthest) {
-    const std::vector<Errors> fields = fields_of(a, b);
+Excess excess_of(const Picture& a, const Picture& b) {
+    constexpr int block = 16;
+    const std::size_t count = a.channels.size();
+    Moments moments;
+    for_blocks(a.width, a.height, block, [&](const auto& places) {
+        double own = 0;
+        std::size_t noisy = 0;
+        for (const std::size_t p : places)
+            for (std::size_t k = p * count; k < (p + 1) * count; ++k)
+                if (const double v = a.variance[k] + b.variance[k]; v > 0 && std::isfinite(a.mean[k] - b.mean[k])) {
+                    own += v;
+                    ++noisy;
+                }
+        for (const std::size_t p : places) {
+            double sum = 0;
+            for (std::size_t k = p * count; k < (p + 1) * count; ++k) {
+                const double d = a.mean[k] - b.mean[k], v = a.variance[k] + b.variance[k];
+                if (std::isfinite(d) && v > 0) sum += (d * d - v) * static_cast<double>(noisy) / own;
+            }
+            moments.add(sum / static_cast<double>(count));
+        }
+    });
+    return {moments.mean(), moments.standard_error()};
+}
+
+/// Correlations ring by ring, where a part of all products is known to be a bias's.
+Correlation rings(const std::vector<Errors>& fields, const Picture& a, int farthest, double bias) {
     double squares = 0;
     std::uint64_t lively = 0;  // places that have an error at all
     for (const Errors& field : fields)
@@ -128,7 +159,7 @@ Correlation correlation_of(const Picture& a, const Picture& b, int farthest) {
         for (int dy = 0; dy <= ring; ++dy)
             for (int dx = -ring; dx <= ring; ++dx) {
                 if (std::max(std::abs(dx), dy) != ring || (dy == 0 && dx < 0)) continue;  // each pair once
-                sum += products(fields, a.width, a.height, dx, dy) / squares;
+                sum += (products(fields, a.width, a.height, dx, dy) / squares - bias) / (1 - bias);
                 ++lags;
             }
         // Sums of products over one lag have variance (Σe²)²/n where errors are independent.
@@ -139,6 +170,19 @@ Correlation correlation_of(const Picture& a, const Picture& b, int farthest) {
         found.inflation += 2 * sum;
     }
     return found;
+}
+
+}  // namespace
+
+Correlation correlation_of(const Picture& a, const Picture& b, int farthest) {
+    const std::vector<Errors> fields = fields_of(a, b);
+    const Correlation found = rings(fields, a, farthest, 0);
+    const bool of_residuals = !a.residuals.empty() && !b.residuals.empty();
+    if (of_residuals || found.reach == 0) return found;
+    const Excess excess = excess_of(a, b);
+    if (excess.value < 3 * excess.error * std::sqrt(found.inflation)) return found;
+    // By Cauchy and Schwarz a bias adds to no product more than to the squares.
+    return rings(fields, a, farthest, excess.value / (1 + excess.value));
 }
 
 }  // namespace plumb

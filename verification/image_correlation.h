@@ -13,7 +13,8 @@ struct Correlation {
 
 /// Correlations at distances of one pixel, of two, …, up to the first distance at which they are not significant (three
 /// standard errors) or `farthest`. From the deviations of renders from their means where there are several of each,
-/// else from differences less what their surroundings differ by.
+/// else from differences less what their surroundings differ by, and less what squared differences have in excess of
+/// the variances, where that is significant: it is a bias's.
 Correlation correlation_of(const Picture& a, const Picture& b, int farthest = 6);
 
 }  // namespace plumb

@@ -52,7 +52,7 @@ Truth pixels_of(const Radiance& picture, double width = 1, double shift = 0) {
 
 /// Samples spread by 60 % about their mean; a lamp that is seen directly has no noise.
 double even_noise(RandomStream& random, int x, int y) {
-    return on_lamp(x, y) && on_lamp(x + 1, y + 1) ? 1 : 0.4 + 1.2 * random.uniform();
+    return on_lamp(x + 0.5, y + 0.5) ? 1 : 0.4 + 1.2 * random.uniform();
 }
 
 SyntheticRender render(const Truth& truth = pixels_of(radiance), int replicates = 16) {
@@ -191,7 +191,9 @@ std::vector<Spoiled> spoiled_renders() {
         };
     };
     const auto in_corner = [](double x, double y) { return x < 8 && y < 8; };
-    SyntheticRender light_missing = render(), spiky = render(), clamped = render();
+    SyntheticRender many = render(), spiky = render(), clamped = render();
+    many.samples = 256;
+    SyntheticRender light_missing = many;
     light_missing.law = [](RandomStream& random, int x, int y) {
         const double sample = even_noise(random, x, y);
         return x >= 16 && y >= 8 && random.uniform() < 0.01 ? 0 : sample;
@@ -208,7 +210,9 @@ std::vector<Spoiled> spoiled_renders() {
         {"filter-width", "A filter of twice the width.", seen(radiance, 2)},
         {"light-missing",
          "A light of a part of the picture is left out in 1 % of the samples.",
-         against(light_missing),
+         [=](std::uint64_t seed) {
+             return std::pair{many(2 * seed), light_missing(2 * seed + 1)};
+         },
          {16, 8, 16, 24}},
         {"fireflies-clamped", "Samples are cut off at five times the mean.", [=](std::uint64_t seed) {
              return std::pair{spiky(2 * seed), clamped(2 * seed + 1)};
