@@ -74,7 +74,8 @@ int compare(const CompareOptions& options) {
     fmt::print("{}: {}\n", to_string(found.verdict.outcome), found.verdict.reason);
     print_tiles(found);
     for (const ErrorMeasure& error : found.errors)
-        fmt::print("{} {} {}  ", error.name, readable(error.value), readable(error.interval));
+        fmt::print("{} {} [{}, {}]  ", error.name, readable(error.value), readable(error.interval.low),
+                   readable(error.interval.high));
     fmt::print("\n");
     if (!options.report.empty()) fmt::print("report: {}\n", options.report);
     return exit_code(found.verdict.outcome);
