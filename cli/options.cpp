@@ -214,6 +214,20 @@ void add_render(CLI::App& app, RenderOptions& options, std::vector<std::string>&
     verb->add_option("scene", options.scene, "a scene in Mitsuba's XML, or the name of a shipped one")->required();
     verb->add_option("--integrator", options.integrator, "see plumb list integrators")->capture_default_str();
     verb->add_option("--sampler", options.sampler, "independent, stratified or sobol")->capture_default_str();
+    verb->add_option("--max-depth", options.max_depth,
+                     "longest paths, in edges from the sensor (1: lights seen directly); -1: no limit")
+        ->check(CLI::Range(-1, 30000))
+        ->capture_default_str();
+    verb->add_option("--rr-depth", options.roulette_depth, "Russian roulette begins behind so many edges")
+        ->check(CLI::Range(0, 30000))
+        ->capture_default_str();
+    verb->add_option("--length", options.length, "only paths of so many edges; 0: of all")
+        ->check(CLI::Range(0, 30000))
+        ->capture_default_str();
+    verb->add_option_function<std::string>(
+            "--strategy", [&](const std::string& text) { options.strategy = parse_strategy(text); },
+            "of `bdpt`, one alone and unweighted: s,t for s vertices from the light and t from the sensor")
+        ->check(checked(parse_strategy));
     CLI::Option* spp = verb->add_option("--spp", options.samples_per_pixel, "samples a pixel")
                            ->check(CLI::Range(1u, 1u << 24))
                            ->capture_default_str();
@@ -351,16 +365,35 @@ std::vector<double> parse_domain(const std::string& text) {
     return ends;
 }
 
-std::vector<int> parse_crop(const std::string& text) {
+namespace {
+
+// So many whole numbers with commas between; empty where the text is something else.
+std::vector<int> parse_integers(const std::string& text, std::size_t count) {
     std::vector<int> numbers;
     const char *at = text.data(), *const end = at + text.size();
-    for (bool comma = true; comma && numbers.size() < 4;) {
+    for (bool comma = true; comma && numbers.size() < count;) {
         const auto [next, failure] = std::from_chars(at, end, numbers.emplace_back());
-        if (failure != std::errc()) break;
-        comma = next != end && *next == ',' && numbers.size() < 4;
+        if (failure != std::errc()) return {};
+        comma = next != end && *next == ',' && numbers.size() < count;
         at = next + (comma ? 1 : 0);
     }
-    const bool good = numbers.size() == 4 && at == end && numbers[2] > 0 && numbers[3] > 0;
+    if (numbers.size() != count || at != end) return {};
+    return numbers;
+}
+
+}  // namespace
+
+std::vector<int> parse_strategy(const std::string& text) {
+    std::vector<int> numbers = parse_integers(text, 2);
+    const bool good = !numbers.empty() && numbers[0] >= 0 && numbers[1] >= 1 && numbers[0] + numbers[1] >= 2;
+    if (!good)
+        throw Error(fmt::format("'{}' is not a strategy; accepted: s,t with s >= 0, t >= 1 and s + t >= 2", text));
+    return numbers;
+}
+
+std::vector<int> parse_crop(const std::string& text) {
+    std::vector<int> numbers = parse_integers(text, 4);
+    const bool good = !numbers.empty() && numbers[2] > 0 && numbers[3] > 0;
     if (!good) throw Error(fmt::format("'{}' is not a crop; accepted: x,y,width,height in pixels", text));
     return numbers;
 }

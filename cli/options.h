@@ -89,6 +89,9 @@ struct WeightsOptions {
 struct RenderOptions {
     std::string scene;  ///< a file, or the name of a shipped one
     std::string integrator = "direct", sampler = "independent";
+    int max_depth = -1, roulette_depth = 5;  ///< in edges; -1: no limit
+    int length = 0;                          ///< in edges: paths of this length alone; 0: all
+    std::vector<int> strategy;               ///< s, t of bdpt; empty: all
     std::uint32_t samples_per_pixel = 64;
     std::optional<std::chrono::duration<double>> time;  ///< instead
     std::vector<int> crop;                              ///< x, y, width, height; empty: the whole film
@@ -134,6 +137,8 @@ Shard parse_shard(const std::string& text);
 
 /// "1e-3" (absolute) or "1%" (relative); throws Error.
 ErrorTarget parse_error_target(const std::string& text);
+/// "s,t": vertices from the light and from the sensor, s >= 0, t >= 1 and not both ends alone; throws Error.
+std::vector<int> parse_strategy(const std::string& text);
 /// "x,y,width,height" in pixels; throws Error.
 std::vector<int> parse_crop(const std::string& text);
 /// "name=value"; throws Error.

@@ -71,6 +71,7 @@ TEST(Options, NameTheNearestKnownWord) {
 TEST(Options, SayWhatAValueMayBe) {
     EXPECT_THAT(complaint("verify", "--alpha", "2"), testing::HasSubstr("(0, 1)"));
     EXPECT_THAT(complaint("verify", "--threads", "0"), testing::HasSubstr("--threads"));
+    EXPECT_THAT(complaint("render", "glass", "--spp", "0"), testing::HasSubstr("--spp"));
     EXPECT_THAT(complaint("verify", "--time-limit", "soon"), testing::HasSubstr("1.5m"));
     EXPECT_THAT(complaint("converge", "torus", "--on", "exp", "--n", "64..16"), testing::HasSubstr("backwards"));
     EXPECT_THAT(complaint("verify", "--seed", "-1"), testing::HasSubstr("from 0 to 2^64 - 1"));
@@ -117,6 +118,10 @@ TEST(ParseErrorTarget, IsAbsoluteOrRelative) {
 }
 
 TEST(ParseDomain, HasBothEndsOfEachAxis) {
+    EXPECT_EQ(parse_strategy("0,2"), (std::vector<int>{0, 2}));
+    EXPECT_EQ(parse_strategy("3,1"), (std::vector<int>{3, 1}));
+    for (const char* bad : {"", "2", "-1,3", "2,0", "0,1", "1,1,1", "1,", "a,b", "1, 2"})
+        EXPECT_THROW(parse_strategy(bad), Error) << bad;
     EXPECT_EQ(parse_domain("0,1"), (std::vector<double>{0, 1}));
     EXPECT_EQ(parse_domain("-1,1.5,1e-3,2"), (std::vector<double>{-1, 1.5, 1e-3, 2}));
     for (const char* bad : {"", "0", "0,1,", ",0,1", "1,0", "0,0", "0,1,2", "0,1,0,nan", "0,inf", "0;1", "0,1,0,1,0,1",

@@ -47,6 +47,7 @@ std::map<std::string, std::string> metadata(const RenderOptions& options, const 
             {"plumb:scene_hash", fmt::format("{:016x}", scene.description().content_hash)},
             {"plumb:integrator", options.integrator},
             {"plumb:sampler", settings.sampler},
+            {"plumb:max_depth", fmt::format("{}", options.max_depth)},
             {"plumb:seed", fmt::format("{}", settings.seed)},
             {"plumb:spp", fmt::format("{}", film.replicates() * settings.samples_per_pass)},
             {"plumb:replicates", fmt::format("{}", film.replicates())},
@@ -111,10 +112,13 @@ void print_bad_values(const BadValues& bad) {
 }  // namespace
 
 int render(const RenderOptions& options) {
-    const auto estimator = find_integrator(options.integrator).make();
+    PathLimits limits{options.max_depth, options.roulette_depth, options.length};
+    if (!options.strategy.empty()) limits.strategy = Strategy{options.strategy[0], options.strategy[1]};
+    const auto estimator = make_integrator(options.integrator, limits);
     const fs::path file = scene_file(options.scene);
     const fs::path out = options.out.empty() ? fs::path("out") / (name_of(file) + ".exr") : fs::path(options.out);
     check_writable(out);
+    check_image_format(out);
     RunInfo info = start_run(options.seed, options.threads);
     RenderSettings settings{.sampler = options.sampler, .seed = info.seed};
     if (options.time)
@@ -123,8 +127,9 @@ int render(const RenderOptions& options) {
         settings = with_samples(settings, options.samples_per_pixel);
     Sampler(settings.sampler, 1);  // knows the name, or says so before the work begins
     const Scene scene(load_mitsuba(file, {options.definitions, options.lenient}));
-    print_notes(scene.description());
     settings.crop = crop_of(options.crop, scene.sensor().film());
+    check_crop(settings.crop, scene.sensor().film());
+    print_notes(scene.description());
 
     std::optional<Rendered> rendered;
     {

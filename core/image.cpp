@@ -59,6 +59,12 @@ void require_finite(const Image& image, const fs::path& file) {
                             pixel % width, pixel / width, image.channels[index % channels], *bad));
 }
 
+void check_image_format(const fs::path& file) {
+    std::string why;
+    function_of_module<decltype(&plumb_find_encoder)>("plumb_find_encoder")(file.c_str(), &why);
+    if (!why.empty()) throw Error(fmt::format("{}: cannot be written: {}", file.string(), in_one_line(why)));
+}
+
 void write_image(const fs::path& file, const Image& image) {
     const fs::path part = aside(file);
     std::string why;

@@ -30,6 +30,9 @@ Image read_image(const std::filesystem::path& file);
 /// Throws Error naming the file and the first pixel and channel whose value is not finite.
 void require_finite(const Image& image, const std::filesystem::path& file);
 
+/// Throws Error where no image format has the file's extension: before the work of making one begins.
+void check_image_format(const std::filesystem::path& file);
+
 /// Encodes an image in the format of the file's extension, written aside and then renamed. EXR and TIFF keep floats,
 /// names and metadata; other formats keep what they can. Throws Error naming the file.
 void write_image(const std::filesystem::path& file, const Image& image);

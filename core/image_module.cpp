@@ -57,7 +57,17 @@ std::map<std::string, std::string> text_attributes(const OIIO::ImageSpec& spec) 
     return texts;
 }
 
+std::unique_ptr<OIIO::ImageOutput> encoder(const char* file, std::string* why) {
+    auto output = OIIO::ImageOutput::create(file);
+    if (!output) *why = "no image format has this extension: " + OIIO::geterror();
+    return output;
+}
+
 }  // namespace
+
+void plumb_find_encoder(const char* file, std::string* why) {
+    encoder(file, why);
+}
 
 void plumb_decode_image(const char* file, plumb::Image* image, std::string* why) {
     const SilentStandardError silence;
@@ -80,14 +90,12 @@ void plumb_decode_image(const char* file, plumb::Image* image, std::string* why)
 void plumb_encode_image(const char* file, const plumb::Image* image, std::string* why) {
     const SilentStandardError silence;
     use_one_thread();
-    const auto output = OIIO::ImageOutput::create(file);
-    if (!output) {
-        *why = "no format has this extension: " + OIIO::geterror();
-        return;
-    }
+    const auto output = encoder(file, why);
+    if (!output) return;
     OIIO::ImageSpec spec(image->width, image->height, static_cast<int>(image->channels.size()), OIIO::TypeDesc::FLOAT);
     spec.channelnames = image->channels;
     for (const auto& [name, value] : image->metadata) spec.attribute(name, value);
+    spec.attribute("DateTime", "");  // else OpenImageIO writes the time, and no two files are the same
     const bool written = output->open(file, spec) && output->write_image(OIIO::TypeDesc::FLOAT, image->values.data());
     if (!output->close() || !written) *why = or_unknown(output->geterror());
 }

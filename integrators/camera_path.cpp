@@ -33,8 +33,28 @@ std::optional<PathVertex> trace_to_vertex(const Scene& scene, const Ray& ray, st
                                           PrimarySamples& samples, PathRecord& record) {
     const std::optional<Hit> hit = trace_to_hit(scene, ray, vertex, samples, record);
     if (!hit) return {};
+    return vertex_at(scene, *hit, ray);
+}
+
+PathVertex vertex_at(const Scene& scene, const Hit& hit, const Ray& ray) {
     const Vec3 wo = normalize(-ray.direction);
-    return PathVertex{*hit, wo, Frame(hit->shading_normal), scene.bsdf(*hit, wo)};
+    return {hit, wo, Frame(hit.shading_normal), scene.bsdf(hit, wo)};
+}
+
+std::optional<ScatterSample> sample_bsdf(const PathVertex& vertex, std::uint16_t number, PrimarySamples& samples,
+                                         Transport transport) {
+    const std::array<double, 2> direction = samples.at({number, Use::direction}).u;
+    const double lobe = samples.at({number, Use::lobe}).u[0];
+    const auto sample = vertex.bsdf.sample(vertex.to_local(vertex.wo), {lobe, direction[0], direction[1]}, transport);
+    if (!sample) return {};
+    const Vec3 wi = vertex.frame.to_world(sample->wi);
+    if (!vertex.lit(wi, transport)) return {};
+    return ScatterSample{wi, sample->weight, sample->pdf, sample->measure, sample->eta};
+}
+
+Spectrum eval_bsdf(const PathVertex& vertex, Vec3 wi, Transport transport) {
+    if (!vertex.bsdf.smooth() || !vertex.lit(wi, transport)) return {};
+    return vertex.bsdf.eval(vertex.to_local(vertex.wo), vertex.to_local(wi), transport);
 }
 
 }  // namespace plumb

@@ -14,8 +14,24 @@ CameraStart start_at_camera(const Scene& scene, const FilmRegion& region, Primar
 /// Where a ray meets the scene, at the vertex with this number (the sensor is 0); empty where it leaves it.
 std::optional<Hit> trace_to_hit(const Scene& scene, const Ray& ray, std::uint16_t vertex, PrimarySamples& samples,
                                 PathRecord& record);
-/// With what scatters there.
+/// With what scatters there, for light that leaves against the ray.
+PathVertex vertex_at(const Scene& scene, const Hit& hit, const Ray& ray);
 std::optional<PathVertex> trace_to_vertex(const Scene& scene, const Ray& ray, std::uint16_t vertex,
                                           PrimarySamples& samples, PathRecord& record);
+
+/// A direction that the BSDF of a vertex chose, in the world.
+struct ScatterSample {
+    Vec3 direction;
+    Spectrum weight;
+    double pdf;
+    Measure measure;
+    double eta;
+};
+/// Empty where nothing scatters, or where the normals disagree about the side of the light.
+std::optional<ScatterSample> sample_bsdf(const PathVertex& vertex, std::uint16_t number, PrimarySamples& samples,
+                                         Transport transport);
+/// f |cos| about the shading normal for light from wi (radiance) or to wi (importance); black where the normals
+/// disagree about the side of the light.
+Spectrum eval_bsdf(const PathVertex& vertex, Vec3 wi, Transport transport);
 
 }  // namespace plumb

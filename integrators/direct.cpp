@@ -17,7 +17,8 @@ void Direct::trace(const Scene& scene, const FilmRegion& region, PrimarySamples&
     Spectrum reflected;
     if (used != LightTechniques::bsdf)
         reflected += light_from_emitters(scene, *vertex, 1, used, next_event, samples, record);
-    if (used != LightTechniques::emitters) reflected += light_from_bsdf(scene, *vertex, 1, used, samples, record);
+    if (used != LightTechniques::emitters)
+        reflected += light_from_bsdf(scene, *vertex, 1, used, next_event, samples, record);
     record.splats.push_back({start.film, reflected, 2});
 }
 

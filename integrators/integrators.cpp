@@ -1,14 +1,18 @@
 #include "integrators/integrators.h"
 
+#include <fmt/format.h>
+
+#include "core/error.h"
 #include "integrators/aov.h"
 #include "integrators/direct.h"
+#include "integrators/one_length.h"
 
 namespace plumb {
 
 namespace {
 
 template <LightTechniques techniques>
-std::unique_ptr<PathEstimator> direct() {
+std::unique_ptr<PathEstimator> direct(const PathLimits&) {
     return std::make_unique<Direct>(techniques);
 }
 
@@ -17,12 +21,22 @@ std::unique_ptr<PathEstimator> direct() {
 const std::vector<NamedIntegrator>& integrators() {
     static const std::vector<NamedIntegrator> all{
         {"aov", "what is seen first: albedo, with normal and depth", "ours, integrators/aov.h",
-         []() -> std::unique_ptr<PathEstimator> { return std::make_unique<Aov>(); }},
+         [](const PathLimits&) -> std::unique_ptr<PathEstimator> { return std::make_unique<Aov>(); }},
+        {"bdpt", "all light: subpaths from the sensor and from a light, connected in all ways", "Veach & Guibas 1994",
+         [](const PathLimits& limits) -> std::unique_ptr<PathEstimator> { return std::make_unique<Bdpt>(limits); }},
         {"direct", "direct light by samples of emitters and of BSDFs, power heuristic", "Veach & Guibas 1995",
          direct<LightTechniques::both>},
         {"direct-bsdf", "direct light by samples of BSDFs alone", "Veach & Guibas 1995", direct<LightTechniques::bsdf>},
         {"direct-emitters", "direct light by samples of emitters alone", "Veach & Guibas 1995",
          direct<LightTechniques::emitters>},
+        {"light", "light traced from its sources, each vertex connected to the lens", "Arvo 1986",
+         [](const PathLimits& limits) -> std::unique_ptr<PathEstimator> {
+             return std::make_unique<LightTracer>(limits);
+         }},
+        {"path", "all light: emitter and BSDF samples at each vertex of a path from the sensor", "Kajiya 1986",
+         [](const PathLimits& limits) -> std::unique_ptr<PathEstimator> {
+             return std::make_unique<PathTracer>(limits);
+         }},
     };
     return all;
 }
@@ -34,6 +48,16 @@ const NamedIntegrator& find_integrator(const std::string& id) {
         known.push_back(integrator.id);
     }
     throw unknown_name("integrator", id, known);
+}
+
+std::unique_ptr<PathEstimator> make_integrator(const std::string& id, PathLimits limits) {
+    const NamedIntegrator& named = find_integrator(id);
+    if (limits.strategy && id != "bdpt")
+        throw Error(fmt::format("a strategy of the integrator '{}'; accepted is bdpt", id));
+    if (limits.length > 0 && limits.max_edges < 0) limits.max_edges = limits.length;  // no longer path is asked for
+    auto estimator = named.make(limits);
+    if (limits.length == 0) return estimator;
+    return std::make_unique<OneLength>(std::move(estimator), limits.length);
 }
 
 }  // namespace plumb

@@ -4,18 +4,22 @@
 #include <string>
 #include <vector>
 
-#include "integrators/path_estimator.h"
+#include "integrators/bdpt.h"
+#include "integrators/light.h"
+#include "integrators/path.h"
 
 namespace plumb {
 
 /// An integrator that a user can ask for by name.
 struct NamedIntegrator {
     std::string id, summary, source;
-    std::unique_ptr<PathEstimator> (*make)();
+    std::unique_ptr<PathEstimator> (*make)(const PathLimits&);
 };
 
 const std::vector<NamedIntegrator>& integrators();
 /// Throws Error naming the nearest ones.
 const NamedIntegrator& find_integrator(const std::string& id);
+/// The integrator of that name, held to all limits: `length` too. Throws Error for a strategy of another than `bdpt`.
+std::unique_ptr<PathEstimator> make_integrator(const std::string& id, PathLimits limits);
 
 }  // namespace plumb

@@ -19,40 +19,38 @@ double trace_shadow(const Scene& scene, const PathVertex& vertex, const EmitterS
 }  // namespace
 
 NextEvent default_next_event() {
-    return {choose_by_power, trace_shadow};
+    return {choose_by_power, trace_shadow, mis_weight};
 }
 
 Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::uint16_t number, LightTechniques used,
                              const NextEvent& next_event, PrimarySamples& samples, PathRecord& record) {
     if (!vertex.bsdf.smooth()) return {};
     const auto light = next_event.choose(scene, vertex, samples, number);
-    if (!light || !vertex.agree(light->sample.direction)) return {};
-    const Vec3 wo = vertex.to_local(vertex.wo), wi = vertex.to_local(light->sample.direction);
-    const Spectrum f = vertex.bsdf.eval(wo, wi, Transport::radiance);
+    if (!light) return {};
+    const Spectrum f = eval_bsdf(vertex, light->sample.direction, Transport::radiance);
     if (is_black(f)) return {};
     const double visible = next_event.visibility(scene, vertex, light->sample, record);
     if (visible == 0) return {};
     const bool shared = used == LightTechniques::both && light->sample.measure == Measure::solid_angle;
-    const double weight = shared ? mis_weight(light->pdf, vertex.bsdf.pdf(wo, wi)) : 1;
+    const auto bsdf_pdf = [&] {
+        return vertex.bsdf.pdf(vertex.to_local(vertex.wo), vertex.to_local(light->sample.direction));
+    };
+    const double weight = shared ? next_event.weight(light->pdf, bsdf_pdf()) : 1;
     return f * light->sample.radiance * (weight * visible / light->pdf);
 }
 
 Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint16_t number, LightTechniques used,
-                         PrimarySamples& samples, PathRecord& record) {
-    const std::array<double, 2> direction = samples.at({number, Use::direction}).u;
-    const double lobe = samples.at({number, Use::lobe}).u[0];
-    const auto sample =
-        vertex.bsdf.sample(vertex.to_local(vertex.wo), {lobe, direction[0], direction[1]}, Transport::radiance);
+                         const NextEvent& next_event, PrimarySamples& samples, PathRecord& record) {
+    const auto sample = sample_bsdf(vertex, number, samples, Transport::radiance);
     if (!sample) return {};
-    const Vec3 wi = vertex.frame.to_world(sample->wi), from = vertex.hit.point.position;
-    if (!vertex.agree(wi)) return {};
+    const Vec3 wi = sample->direction, from = vertex.hit.point.position;
     const Ray ray = leave(vertex.hit.point, wi);
     const auto next = trace_to_hit(scene, ray, static_cast<std::uint16_t>(number + 1), samples, record);
     const Spectrum radiance = next ? scene.emitted(*next, -wi) : scene.environment(ray);
     if (is_black(radiance)) return {};
     const bool shared = used == LightTechniques::both && sample->measure == Measure::solid_angle;
     const double light_pdf = !shared ? 0 : next ? scene.light_pdf(*next, from, wi) : scene.environment_pdf(from, wi);
-    return sample->weight * radiance * (shared ? mis_weight(sample->pdf, light_pdf) : 1);
+    return sample->weight * radiance * (shared ? next_event.weight(sample->pdf, light_pdf) : 1);
 }
 
 }  // namespace plumb

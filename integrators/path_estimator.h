@@ -9,7 +9,7 @@
 namespace plumb {
 
 /// The pixels that a path is for: film points are drawn uniformly among them, then by the film's filter. A path's
-/// values estimate the mean of the pixels.
+/// values estimate the mean of the pixels, but for splats that fall anywhere on the film.
 struct FilmRegion {
     int x = 0, y = 0, width = 1, height = 1;
 };
@@ -17,36 +17,47 @@ struct FilmRegion {
 /// A point of a path on a surface, with what scatters there. Directions leave it, in the world.
 struct PathVertex {
     Hit hit;
-    Vec3 wo;      ///< towards the sensor, along the path
+    Vec3 wo;      ///< where the subpath comes from: towards the sensor, or the light
     Frame frame;  ///< z is the shading normal
     Bsdf bsdf;
 
     [[nodiscard]] Vec3 to_local(Vec3 world) const { return frame.to_local(world); }
-    /// Whether both normals see wi on one side. Where they do not, light would leak through the surface that the
-    /// shading normal pretends [Veach 1997, section 5.3]: nothing scatters there.
-    [[nodiscard]] bool agree(Vec3 wi) const { return dot(hit.point.normal, wi) * dot(frame.z, wi) > 0; }
+    /// Whether both normals see w on one side.
+    [[nodiscard]] bool agree(Vec3 w) const { return dot(hit.point.normal, w) * dot(frame.z, w) > 0; }
+    /// Whether they do so for the direction towards the light, wi or wo. Where they do not, light would leak through
+    /// the surface that the shading normal pretends [Veach 1997, section 5.3]: nothing scatters there.
+    [[nodiscard]] bool lit(Vec3 wi, Transport transport) const {
+        return agree(transport == Transport::radiance ? wi : wo);
+    }
 };
 
 /// A contribution to the film: value = f w / p, of a path of so many edges (1: an emitter seen directly).
 struct Splat {
     Point<2> film;
     Spectrum value;
-    std::uint8_t edges;
+    int edges;
+    /// For every pixel j whose filter reaches the film point, whatever the region: h_j(film) value estimates it. Who
+    /// traces n such paths takes 1/n of each.
+    bool anywhere = false;
 };
 
 /// What an estimator did for one sample. Reused from sample to sample, so that it allocates once.
 struct PathRecord {
-    std::vector<PathVertex> vertices;  ///< from the sensor on; the sensor itself is not among them
+    std::vector<PathVertex> vertices;        ///< from the sensor on; the sensor itself is not among them
+    std::vector<PathVertex> light_vertices;  ///< from a light on, likewise
     std::vector<Splat> splats;
     RayLog rays;  ///< counts on over samples
 
     void clear() {
         vertices.clear();
+        light_vertices.clear();
         splats.clear();
     }
+    /// Of the splats for the region.
     [[nodiscard]] Spectrum sum() const {
         Spectrum sum;
-        for (const Splat& splat : splats) sum += splat.value;
+        for (const Splat& splat : splats)
+            if (!splat.anywhere) sum += splat.value;
         return sum;
     }
 };

@@ -2,6 +2,7 @@
 
 #include "core/moments.h"
 #include "integrators/sampler.h"
+#include "integrators/splatting.h"
 
 namespace plumb {
 
@@ -14,7 +15,7 @@ Estimate region_estimate(const Scene& scene, const PathEstimator& estimator, con
     Moments values;
     for (std::uint32_t i = 0; i < count; ++i) {
         estimator.trace(scene, region, samples.start({seed, pixel, i}), record);
-        values.add(luminance(record.sum()));
+        values.add(luminance(region_mean(record, region, scene.sensor().filter())));
     }
     const double error = sampler == "independent" ? values.standard_error() : std::numeric_limits<double>::infinity();
     return {values.mean(), error, record.rays.count};

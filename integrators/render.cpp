@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "integrators/sampler.h"
+#include "integrators/splatting.h"
 
 namespace plumb {
 
@@ -23,13 +24,6 @@ std::vector<FilmRegion> tiles_of(const FilmRegion& crop) {
     return tiles;
 }
 
-void check(const FilmRegion& crop, FilmSize film) {
-    if (crop.width < 1 || crop.height < 1 || crop.x < 0 || crop.y < 0 || crop.width > film.width - crop.x ||
-        crop.height > film.height - crop.y)
-        throw Error(fmt::format("crop {},{},{},{} of a film of {} x {} pixels: accepted are x,y,width,height within it",
-                                crop.x, crop.y, crop.width, crop.height, film.width, film.height));
-}
-
 std::array<Spectrum, 4> layers_of(const PathRecord& record) {
     std::array<Spectrum, 4> layers{record.sum()};
     if (record.vertices.empty()) return layers;
@@ -41,31 +35,86 @@ std::array<Spectrum, 4> layers_of(const PathRecord& record) {
     return layers;
 }
 
-struct RenderedTile {
-    FilmPass pixels;
-    std::uint64_t rays;
+// Light for a pixel of the crop, of paths that belong to any.
+struct SplatOnPixel {
+    int x, y;
+    Spectrum value;
 };
 
-RenderedTile render_tile(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings,
-                         const FilmRegion& tile, std::uint32_t pass) {
-    RenderedTile result{FilmPass({tile.width, tile.height}, render_layers()), 0};
-    Sampler sampler(settings.sampler, settings.samples_per_pass);
-    PathRecord record;
-    for (int y = 0; y < tile.height; ++y)
-        for (int x = 0; x < tile.width; ++x) {
-            const FilmRegion pixel{tile.x + x, tile.y + y, 1, 1};
-            const auto index = static_cast<std::uint32_t>(pixel.y * scene.sensor().film().width + pixel.x);
-            for (std::uint32_t i = 0; i < settings.samples_per_pass; ++i) {
-                PrimarySamples& samples = sampler.start({settings.seed, index, pass * settings.samples_per_pass + i});
-                estimator.trace(scene, pixel, samples, record);
-                result.pixels.add(x, y, layers_of(record));
+// Renders the tiles of one pass into one image. Sums are exact: the order in which tiles and splats come does not
+// matter.
+class Pass {
+public:
+    Pass(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings, std::uint32_t number)
+        : scene_(scene),
+          estimator_(estimator),
+          settings_(settings),
+          number_(number),
+          pixels_({settings.crop.width, settings.crop.height}, render_layers()) {}
+
+    // The rays traced. May be called from several threads, a tile each.
+    std::uint64_t render(const FilmRegion& tile) {
+        FilmPass part({tile.width, tile.height}, render_layers());
+        Sampler sampler(settings_.sampler, settings_.samples_per_pass);
+        PathRecord record;
+        std::vector<SplatOnPixel> splats;
+        for (int y = 0; y < tile.height; ++y)
+            for (int x = 0; x < tile.width; ++x) {
+                const FilmRegion pixel{tile.x + x, tile.y + y, 1, 1};
+                const auto index = static_cast<std::uint32_t>(pixel.y * scene_.sensor().film().width + pixel.x);
+                const std::uint32_t first = number_ * settings_.samples_per_pass;
+                for (std::uint32_t i = 0; i < settings_.samples_per_pass; ++i) {
+                    PrimarySamples& samples = sampler.start({settings_.seed, index, first + i});
+                    estimator_.trace(scene_, pixel, samples, record);
+                    part.add(x, y, layers_of(record));
+                    spread(record, splats);
+                }
             }
+        add(splats);
+        const std::lock_guard lock(mutex_);
+        pixels_.merge_at(tile.x - settings_.crop.x, tile.y - settings_.crop.y, part);
+        return record.rays.count;
+    }
+    [[nodiscard]] const FilmPass& pixels() const { return pixels_; }
+
+private:
+    // Each sample of each pixel of the crop is a path that may light every pixel: of each splat a pixel takes the share
+    // of one sample of its own.
+    void spread(const PathRecord& record, std::vector<SplatOnPixel>& splats) {
+        const FilmRegion& crop = settings_.crop;
+        const double paths = static_cast<double>(crop.width) * crop.height;
+        thread_local std::vector<ReachedPixel> reached;
+        for (const Splat& splat : record.splats) {
+            if (!splat.anywhere) continue;
+            find_reached(scene_.sensor().filter(), crop, splat.film, reached);
+            for (const auto& [x, y, density] : reached)
+                splats.push_back({x - crop.x, y - crop.y, splat.value * (density / paths)});
         }
-    result.rays = record.rays.count;
-    return result;
-}
+        constexpr std::size_t most_kept = 1 << 14;
+        if (splats.size() >= most_kept) add(splats);
+    }
+    void add(std::vector<SplatOnPixel>& splats) {
+        const std::lock_guard lock(mutex_);
+        for (const auto& [x, y, value] : splats) pixels_.splat(x, y, value);
+        splats.clear();
+    }
+
+    const Scene& scene_;
+    const PathEstimator& estimator_;
+    const RenderSettings& settings_;
+    std::uint32_t number_;
+    FilmPass pixels_;
+    std::mutex mutex_;
+};
 
 }  // namespace
+
+void check_crop(const FilmRegion& crop, FilmSize film) {
+    if (crop.width < 1 || crop.height < 1 || crop.x < 0 || crop.y < 0 || crop.width > film.width - crop.x ||
+        crop.height > film.height - crop.y)
+        throw Error(fmt::format("crop {},{},{},{} of a film of {} x {} pixels: accepted are x,y,width,height within it",
+                                crop.x, crop.y, crop.width, crop.height, film.width, film.height));
+}
 
 RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_pixel) {
     if (samples_per_pixel < 1) throw Error("0 samples a pixel; accepted are 1 and more");
@@ -87,26 +136,24 @@ std::vector<FilmLayer> render_layers() {
 
 Rendered render(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings,
                 const std::function<bool(const RenderProgress&)>& go_on) {
-    check(settings.crop, scene.sensor().film());
+    check_crop(settings.crop, scene.sensor().film());
     const std::vector<FilmRegion> tiles = tiles_of(settings.crop);
     const FilmSize size{settings.crop.width, settings.crop.height};
     Rendered result{Film(size, render_layers())};
     RenderProgress progress{0, tiles.size() * settings.passes, false};
     std::mutex mutex;
     for (std::uint32_t pass = 0; pass < settings.passes; ++pass) {
-        FilmPass pixels(size, render_layers());
+        Pass image(scene, estimator, settings, pass);
         bool more = true;
         for_batches(tiles.size(), [&](std::size_t i) {
-            const FilmRegion& tile = tiles[i];
-            const RenderedTile done = render_tile(scene, estimator, settings, tile, pass);
-            const std::lock_guard lock(mutex);  // sums are exact: the order in which tiles come does not matter
-            pixels.merge_at(tile.x - settings.crop.x, tile.y - settings.crop.y, done.pixels);
-            result.rays += done.rays;
+            const std::uint64_t rays = image.render(tiles[i]);
+            const std::lock_guard lock(mutex);
+            result.rays += rays;
             ++progress.done;
             progress.pass_ends = progress.done % tiles.size() == 0;
             if (go_on) more = go_on(progress);
         });
-        result.film.add(pixels);
+        result.film.add(image.pixels());
         if (!more) break;
     }
     return result;

@@ -20,6 +20,9 @@ struct RenderSettings {
 /// Samples a pixel cut into passes: as near to 16 passes as divides them.
 RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_pixel);
 
+/// Throws Error for a crop that is not within the film.
+void check_crop(const FilmRegion& crop, FilmSize film);
+
 struct Rendered {
     Film film;
     std::uint64_t rays = 0;

@@ -71,16 +71,22 @@ void FilmPass::add(int x, int y, std::span<const Spectrum> values) {
     const std::size_t place = pixel(x, y);
     ++samples_[place];
     ExactSum* sum = &sums_[place * channels_];
-    for (std::size_t i = 0; i < layers_.size(); ++i)
-        for (std::size_t c = 0; c < layers_[i].channels.size(); ++c, ++sum) {
-            const double value = values[i][c];
-            if (std::isnan(value)) ++bad_.nan;
-            if (layers_[i].non_negative && value < 0) ++bad_.negative;
-            if (ExactSum::accepts(value))
-                sum->add(value);
-            else if (!std::isnan(value))
-                ++bad_.infinite;
-        }
+    for (std::size_t i = 0; i < layers_.size(); sum += layers_[i++].channels.size()) add_to(sum, layers_[i], values[i]);
+}
+
+void FilmPass::splat(int x, int y, const Spectrum& value) {
+    add_to(&sums_[pixel(x, y) * channels_], layers_[0], value);
+}
+
+void FilmPass::add_to(ExactSum* sums, const FilmLayer& layer, const Spectrum& value) {
+    for (std::size_t c = 0; c < layer.channels.size(); ++c) {
+        if (std::isnan(value[c])) ++bad_.nan;
+        if (layer.non_negative && value[c] < 0) ++bad_.negative;
+        if (ExactSum::accepts(value[c]))
+            sums[c].add(value[c]);
+        else if (!std::isnan(value[c]))
+            ++bad_.infinite;
+    }
 }
 
 void FilmPass::merge(const FilmPass& other) {

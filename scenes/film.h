@@ -34,6 +34,9 @@ public:
 
     /// One sample of a pixel: the layers' values in their order, as many lanes of each as it has channels.
     void add(int x, int y, std::span<const Spectrum> values);
+    /// Light that the path of another pixel's sample brings to this one: adds to the sum of the first layer, already
+    /// divided by the paths that bring some a sample.
+    void splat(int x, int y, const Spectrum& value);
     /// Samples that other threads or shards took for the same replicate.
     void merge(const FilmPass& other);
     /// A part of the image, its upper left corner at pixel (x, y).
@@ -48,6 +51,7 @@ public:
 
 private:
     [[nodiscard]] std::size_t pixel(int x, int y) const;
+    void add_to(ExactSum* sums, const FilmLayer& layer, const Spectrum& value);
 
     FilmSize size_;
     std::vector<FilmLayer> layers_;

@@ -4,28 +4,6 @@ namespace plumb {
 
 namespace {
 
-struct Box {
-    Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    void add(Vec3 p) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            low[i] = std::min(low[i], p[i]);
-            high[i] = std::max(high[i], p[i]);
-        }
-    }
-    void add(const Mesh& mesh) {
-        for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) add(mesh.position(i));
-    }
-    void add(const description::Sphere& s) {
-        const Vec3 reach{s.radius, s.radius, s.radius};
-        add(s.center - reach);
-        add(s.center + reach);
-    }
-    void add(const description::Disk& d) {
-        for (const double x : {-1., 1.})
-            for (const double y : {-1., 1.}) add(d.center + d.axis_x * x + d.axis_y * y);
-    }
-};
-
 std::vector<Spectrum> powers_of(const std::vector<Light>& lights, double scene_radius) {
     std::vector<Spectrum> powers;
     for (const Light& light : lights)
@@ -35,15 +13,9 @@ std::vector<Spectrum> powers_of(const std::vector<Light>& lights, double scene_r
 
 }  // namespace
 
-double radius_of(const std::vector<description::Shape>& shapes) {
-    Box box;
-    for (const description::Shape& shape : shapes)
-        std::visit([&](const auto& geometry) { box.add(geometry); }, shape.geometry);
-    return shapes.empty() ? 1 : length(box.high - box.low) / 2;
-}
-
 Scene::Scene(description::Scene description)
     : description_(std::move(description)),
+      ball_(ball_around(description_.shapes)),
       embree_(description_.shapes),
       materials_(description_),
       sensor_(description_.sensor.value_or(description::Sensor())) {
@@ -62,7 +34,7 @@ Scene::Scene(description::Scene description)
         environment_ = lights_.size() - 1;
     }
     for (const auto& index : of_shape) light_of_shape_.push_back(index.value_or(lights_.size()));
-    if (!lights_.empty()) chooser_ = LightChooser::by_power(powers_of(lights_, radius_of(description_.shapes)));
+    if (!lights_.empty()) chooser_ = LightChooser::by_power(powers_of(lights_, ball_.radius));
 }
 
 std::optional<Hit> Scene::intersect(const Ray& ray, double u, RayLog& log) const {
@@ -124,30 +96,55 @@ std::optional<SceneLightSample> Scene::sample_light(Vec3 from, double u, const P
     const auto [index, pmf] = chooser_->sample(u);
     const auto sample = std::visit([&](const auto& light) { return light.sample(from, v); }, lights_[index]);
     if (!sample) return {};
-    return SceneLightSample{*sample, pmf * sample->pdf};
+    return SceneLightSample{*sample, pmf * sample->pdf, index};
 }
 
 double Scene::light_pdf(const Hit& hit, Vec3 from, Vec3 direction) const {
-    const std::size_t index = light_of_shape_[hit.shape];
-    if (index == lights_.size()) return 0;
-    const double cos_at_light = -dot(hit.point.normal, direction);
+    const auto light = light_of(hit);
+    return light ? light_pdf(*light, hit.point.position, hit.point.normal, from, direction) : 0;
+}
+
+double Scene::light_pdf(std::size_t light, Vec3 position, Vec3 normal, Vec3 from, Vec3 direction) const {
+    const double cos_at_light = -dot(normal, direction);
     if (!(cos_at_light > 0)) return 0;
-    const auto pdf = [&](const auto& light) {
+    const auto pdf = [&](const auto& emitter) {
         // The triangle that was met is known: no other need be looked at.
-        if constexpr (requires { light.pdf_area(); }) {
-            return per_steradian(light.pdf_area(), length(hit.point.position - from), cos_at_light);
+        if constexpr (requires { emitter.pdf_area(); }) {
+            return per_steradian(emitter.pdf_area(), length(position - from), cos_at_light);
         } else {
-            const auto met = light.hit(from, direction);
+            const auto met = emitter.hit(from, direction);
             return met ? met->pdf : 0;
         }
     };
-    return chooser_->pmf(index) * std::visit(pdf, lights_[index]);
+    return chooser_->pmf(light) * std::visit(pdf, lights_[light]);
+}
+
+std::optional<std::size_t> Scene::light_of(const Hit& hit) const {
+    const std::size_t light = light_of_shape_[hit.shape];
+    return light == lights_.size() ? std::nullopt : std::optional(light);
 }
 
 double Scene::environment_pdf(Vec3 from, Vec3 direction) const {
     if (!environment_) return 0;
     return chooser_->pmf(*environment_) *
            std::visit([&](const auto& light) { return light.hit(from, direction)->pdf; }, lights_[*environment_]);
+}
+
+std::optional<SceneLightRay> Scene::sample_light_ray(double u, const Point<2>& origin,
+                                                     const Point<2>& direction) const {
+    if (!chooser_) return {};
+    const auto [index, chance] = chooser_->sample(u);
+    EmittedRay ray =
+        std::visit([&](const auto& light) { return light.sample_ray(ball_, origin, direction); }, lights_[index]);
+    ray.weight = ray.weight / chance;
+    return SceneLightRay{ray, index, chance};
+}
+
+EmittedRayPdf Scene::light_ray_pdf(std::size_t light, Vec3 normal, Vec3 direction) const {
+    EmittedRayPdf pdf =
+        std::visit([&](const auto& emitter) { return emitter.ray_pdf(ball_, normal, direction); }, lights_[light]);
+    pdf.area *= chooser_->pmf(light);
+    return pdf;
 }
 
 }  // namespace plumb

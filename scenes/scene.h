@@ -15,6 +15,14 @@ namespace plumb {
 struct SceneLightSample {
     EmitterSample sample;
     double pdf = 0;
+    std::size_t light = 0;  ///< index into lights()
+};
+
+/// A ray of a light of the scene.
+struct SceneLightRay {
+    EmittedRay ray;  ///< weight over the chance of the light
+    std::size_t light;
+    double chance;
 };
 
 /// A description made ready for light transport. Immutable: threads share it.
@@ -29,8 +37,7 @@ public:
     [[nodiscard]] std::optional<Hit> intersect(const Ray& ray, double u, RayLog& log) const;
     [[nodiscard]] bool has_masks() const { return has_masks_; }
     /// How much of the light of a sample of an emitter arrives: 0 or 1, in between behind masks.
-    [[nodiscard]] double transmittance(const SurfacePoint& from, const EmitterSample& sample,
-                                       RayLog& log) const;
+    [[nodiscard]] double transmittance(const SurfacePoint& from, const EmitterSample& sample, RayLog& log) const;
 
     /// The closure at a hit for light that leaves towards `wo` (in the world).
     [[nodiscard]] Bsdf bsdf(const Hit& hit, Vec3 wo) const;
@@ -43,7 +50,21 @@ public:
     [[nodiscard]] std::optional<SceneLightSample> sample_light(Vec3 from, double u, const Point<2>& v) const;
     /// The density, per steradian, with which sample_light(from) would have found the emitter that a ray met.
     [[nodiscard]] double light_pdf(const Hit& hit, Vec3 from, Vec3 direction) const;
+    /// The same for this light, which has a surface, at a point where it shines to the side of `normal`.
+    [[nodiscard]] double light_pdf(std::size_t light, Vec3 position, Vec3 normal, Vec3 from, Vec3 direction) const;
     [[nodiscard]] double environment_pdf(Vec3 from, Vec3 direction) const;
+
+    /// Chooses a light by its power and a ray that it sends; empty without lights.
+    [[nodiscard]] std::optional<SceneLightRay> sample_light_ray(double u, const Point<2>& origin,
+                                                                const Point<2>& direction) const;
+    /// The densities of such a ray of this light along `direction`, from where it shines to the side of `normal` (an
+    /// environment, a point: any); `area` includes the choice of the light.
+    [[nodiscard]] EmittedRayPdf light_ray_pdf(std::size_t light, Vec3 normal, Vec3 direction) const;
+    /// The light that a hit surface is, and the environment.
+    [[nodiscard]] std::optional<std::size_t> light_of(const Hit& hit) const;
+    [[nodiscard]] std::optional<std::size_t> environment_light() const { return environment_; }
+    /// Around all shapes: environments shine into it.
+    [[nodiscard]] const Ball& ball() const { return ball_; }
 
     [[nodiscard]] const description::Scene& description() const { return description_; }
     [[nodiscard]] const EmbreeScene& embree() const { return embree_; }
@@ -54,6 +75,7 @@ private:
     [[nodiscard]] double opacity(const Hit& hit) const { return materials_.opacity(shape(hit).material, hit.uv); }
 
     description::Scene description_;
+    Ball ball_;
     EmbreeScene embree_;
     Materials materials_;
     SceneSensor sensor_;
@@ -63,8 +85,5 @@ private:
     std::optional<LightChooser> chooser_;  // empty without lights
     bool has_masks_ = false;
 };
-
-/// The radius of a ball around all shapes.
-double radius_of(const std::vector<description::Shape>& shapes);
 
 }  // namespace plumb

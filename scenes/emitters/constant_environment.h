@@ -1,7 +1,6 @@
 #pragma once
 
-#include "scenes/emitters/emitter.h"
-#include "scenes/warps.h"
+#include "scenes/emitters/distant.h"
 
 namespace plumb {
 
@@ -16,6 +15,12 @@ struct ConstantEnvironment {
     }
     [[nodiscard]] std::optional<EmitterHit> hit(Vec3, Vec3 direction) const {
         return EmitterHit{.radiance = radiance, .pdf = uniform_sphere_pdf(direction)};
+    }
+    [[nodiscard]] EmittedRay sample_ray(const Ball& scene, const Point<2>& u, const Point<2>& v) const {
+        return send_from_afar(scene, *sample(scene.centre, v), u);
+    }
+    [[nodiscard]] EmittedRayPdf ray_pdf(const Ball& scene, Vec3, Vec3 direction) const {
+        return ray_pdf_from_afar(scene, uniform_sphere_pdf(-direction));
     }
     /// 4π steradians through a disk of area π r².
     [[nodiscard]] Spectrum power(double scene_radius) const {

@@ -7,6 +7,7 @@
 #include "core/point.h"
 #include "core/spectrum.h"
 #include "core/vec3.h"
+#include "scenes/ball.h"
 #include "scenes/bsdf_model.h"
 #include "scenes/surface_point.h"
 
@@ -18,7 +19,11 @@ namespace plumb {
 //   a surface emits on the side its normal points to, and only the first point along a direction counts: a convex light
 //   hides its far side;
 //   a light that no ray can hit (a point) has Measure::discrete: its pdf is the probability 1, and `radiance` is the
-//   irradiance on a plane that faces it. Either way  f(direction) cos θ radiance / pdf  estimates reflected radiance.
+//   irradiance on a plane that faces it. Either way  f(direction) cos θ radiance / pdf  estimates reflected radiance;
+//   a light also sends rays of its own, as a sensor does: an origin, then a direction, each with its density. Surfaces
+//   send them from every shining point alike, per area, by the cosine; points from where they are, with density 1;
+//   environments, being nowhere, from the disk that touches a ball around the scene and faces it: the direction first,
+//   then the point of the disk, per area. The weight  L cos θ / (pdf_area · pdf_direction)  is the ray's flux.
 
 struct EmitterSample {
     Vec3 direction;
@@ -36,14 +41,34 @@ struct EmitterHit {
     double pdf = 0;  ///< of sample(from) for this very direction
 };
 
+/// Of a ray that a light sends.
+struct EmittedRayPdf {
+    double area;       ///< of the origin, per area of the light or of an environment's disk; 1 for a point
+    double direction;  ///< per steradian
+};
+
+/// Light on its way out.
+struct EmittedRay {
+    Vec3 origin, direction;  ///< unit, away from the light
+    Spectrum weight;         ///< flux
+    EmittedRayPdf pdf;
+    std::optional<SurfacePoint> surface = {};  ///< that it leaves; its normal is on the shining side
+};
+
 template <class E>
-concept EmitterModel = requires(const E& emitter, Vec3 from, Vec3 direction, const Point<2>& u, double scene_radius) {
+concept EmitterModel = requires(const E& emitter, Vec3 from, Vec3 normal, Vec3 direction, const Point<2>& u,
+                                const Point<2>& v, const Ball& scene) {
     /// Empty: this u shows no light (it fell on a side that does not shine); the sample's estimate is 0.
     { emitter.sample(from, u) } -> std::same_as<std::optional<EmitterSample>>;
     /// Empty: the ray meets no shining side. Discrete lights are never met.
     { emitter.hit(from, direction) } -> std::same_as<std::optional<EmitterHit>>;
     /// Flux into the scene: watts, of an environment through the disk of the scene's radius, from every direction.
-    { emitter.power(scene_radius) } -> std::same_as<Spectrum>;
+    { emitter.power(scene.radius) } -> std::same_as<Spectrum>;
+    /// u chooses the origin, v the direction.
+    { emitter.sample_ray(scene, u, v) } -> std::same_as<EmittedRay>;
+    /// With which it sends rays along the unit `direction` from where its normal, on the shining side, is `normal`;
+    /// points and environments have no normal.
+    { emitter.ray_pdf(scene, normal, direction) } -> std::same_as<EmittedRayPdf>;
 };
 
 /// A density per area of a surface, seen from a distance with |cos| at the surface, per steradian: dω = cos dA / d².

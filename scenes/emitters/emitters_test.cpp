@@ -88,6 +88,16 @@ TEST(LightChooser, KeepsProbabilities) {
     EXPECT_DOUBLE_EQ(LightChooser::by_power({{}, {}}).pmf(0), 0.5);
 }
 
+TEST(Emitters, LetShadowRaysEndBeforeTheTrianglesOfARectangle) {
+    for (const Point<2>& u : {Point<2>{0.7, 0.2}, Point<2>{0.2, 0.7}}) {
+        const SurfacePoint point = ceiling.sample({}, u)->surface.value();
+        EXPECT_NEAR(point.position.x, 2 * u[1] - 1, 1e-15);
+        EXPECT_NEAR(point.position.y, 2 * u[0] - 1, 1e-15);
+        EXPECT_EQ(point.normal, (Vec3{0, 0, -1}));
+        EXPECT_GT(point.margin, 0x1p-21) << "of a disk, which is met in double precision";
+    }
+}
+
 TEST(Emitters, RefuseWhatCannotShine) {
     EXPECT_THROW(RectangleLight({}, {1, 0, 0}, {2, 0, 0}, white), Error);
     EXPECT_THROW(DiskLight({}, {0, 0, 1}, 0, white), Error);

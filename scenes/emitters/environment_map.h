@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "estimators/piecewise_constant.h"
-#include "scenes/emitters/emitter.h"
+#include "scenes/emitters/distant.h"
 
 namespace plumb {
 
@@ -25,6 +25,12 @@ public:
 
     [[nodiscard]] std::optional<EmitterSample> sample(Vec3 from, const Point<2>& u) const;
     [[nodiscard]] std::optional<EmitterHit> hit(Vec3 from, Vec3 direction) const;
+    [[nodiscard]] EmittedRay sample_ray(const Ball& scene, const Point<2>& u, const Point<2>& v) const {
+        return send_from_afar(scene, *sample(scene.centre, v), u);
+    }
+    [[nodiscard]] EmittedRayPdf ray_pdf(const Ball& scene, Vec3, Vec3 direction) const {
+        return ray_pdf_from_afar(scene, hit(scene.centre, -direction)->pdf);
+    }
     [[nodiscard]] Spectrum power(double scene_radius) const;
 
     /// The bilinear lookup at (u, v) in [0,1]², v down.

@@ -24,11 +24,7 @@ public:
     }
 
     [[nodiscard]] std::optional<EmitterSample> sample(Vec3 from, const Point<2>& u) const {
-        const double count = static_cast<double>(triangles_.size()), place = choice_.sample(u[0]) * count;
-        const std::size_t i = std::min(static_cast<std::size_t>(place), triangles_.size() - 1);
-        const auto [b1, b2] = sample_uniform_triangle({place - static_cast<double>(i), u[1]});
-        const auto& [a, b, c] = triangles_[i];
-        return sample_towards(from, triangle_point({a, b, c}, b1, b2), radiance_, pdf_area());
+        return sample_towards(from, at(u), radiance_, pdf_area());
     }
     /// Looks at every triangle: for claims and small lights; a scene's ray caster knows the triangle it met, and gets
     /// the density from pdf_area() and per_steradian().
@@ -40,10 +36,24 @@ public:
                 nearest = one;
         return nearest;
     }
+    [[nodiscard]] EmittedRay sample_ray(const Ball&, const Point<2>& u, const Point<2>& v) const {
+        return send_from(at(u), radiance_, pdf_area(), v);
+    }
+    [[nodiscard]] EmittedRayPdf ray_pdf(const Ball&, Vec3 normal, Vec3 direction) const {
+        return ray_pdf_from(pdf_area(), normal, direction);
+    }
     [[nodiscard]] double pdf_area() const { return 1 / area_; }
     [[nodiscard]] Spectrum power(double) const { return lambertian_power(radiance_, area_); }
 
 private:
+    [[nodiscard]] SurfacePoint at(const Point<2>& u) const {
+        const double count = static_cast<double>(triangles_.size()), place = choice_.sample(u[0]) * count;
+        const std::size_t i = std::min(static_cast<std::size_t>(place), triangles_.size() - 1);
+        const auto [b1, b2] = sample_uniform_triangle({place - static_cast<double>(i), u[1]});
+        const auto& [a, b, c] = triangles_[i];
+        return triangle_point({a, b, c}, b1, b2);
+    }
+
     static std::vector<double> areas(std::span<const Triangle> triangles) {
         std::vector<double> areas;
         double sum = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scenes/emitters/emitter.h"
+#include "scenes/warps.h"
 
 namespace plumb {
 
@@ -17,6 +18,14 @@ struct PointLight {
         return EmitterSample{way / distance, distance, intensity / squared, 1, Measure::discrete};
     }
     [[nodiscard]] std::optional<EmitterHit> hit(Vec3, Vec3) const { return {}; }
+    [[nodiscard]] EmittedRay sample_ray(const Ball&, const Point<2>&, const Point<2>& v) const {
+        const Vec3 direction = sample_uniform_sphere(v);
+        const double pdf = uniform_sphere_pdf(direction);
+        return {position, direction, intensity / pdf, {1, pdf}};
+    }
+    [[nodiscard]] EmittedRayPdf ray_pdf(const Ball&, Vec3, Vec3 direction) const {
+        return {1, uniform_sphere_pdf(direction)};
+    }
     [[nodiscard]] Spectrum power(double) const { return intensity * (4 * std::numbers::pi); }
 };
 static_assert(EmitterModel<PointLight>);

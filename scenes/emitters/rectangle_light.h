@@ -19,8 +19,7 @@ public:
     }
 
     [[nodiscard]] std::optional<EmitterSample> sample(Vec3 from, const Point<2>& u) const {
-        return sample_towards(from, disk_point(corner_ + u[0] * edge_1_ + u[1] * edge_2_, normal_), radiance_,
-                              pdf_area());
+        return sample_towards(from, at(u), radiance_, pdf_area());
     }
     [[nodiscard]] std::optional<EmitterHit> hit(Vec3 from, Vec3 direction) const {
         const auto plane = meet_plane(from, direction, corner_, normal_);
@@ -30,10 +29,24 @@ public:
         if (!(0 <= s && s <= 1 && 0 <= t && t <= 1)) return {};
         return EmitterHit{plane->distance, radiance_, per_steradian(pdf_area(), plane->distance, plane->cos_at_light)};
     }
+    [[nodiscard]] EmittedRay sample_ray(const Ball&, const Point<2>& u, const Point<2>& v) const {
+        return send_from(at(u), radiance_, pdf_area(), v);
+    }
+    [[nodiscard]] EmittedRayPdf ray_pdf(const Ball&, Vec3 normal, Vec3 direction) const {
+        return ray_pdf_from(pdf_area(), normal, direction);
+    }
     [[nodiscard]] double pdf_area() const { return 1 / area_; }
     [[nodiscard]] Spectrum power(double) const { return lambertian_power(radiance_, area_); }
 
 private:
+    /// Rays meet it as two triangles, whose common side leaves the corner.
+    [[nodiscard]] SurfacePoint at(const Point<2>& u) const {
+        const auto& [s, t] = u;
+        const Vec3 opposite = corner_ + edge_1_ + edge_2_;
+        return s >= t ? triangle_point({corner_, corner_ + edge_1_, opposite}, s - t, t)
+                      : triangle_point({corner_, opposite, corner_ + edge_2_}, s, t - s);
+    }
+
     Vec3 corner_, edge_1_, edge_2_, normal_;
     Spectrum radiance_;
     double area_;

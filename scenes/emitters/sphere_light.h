@@ -28,12 +28,8 @@ public:
         const double sin_squared = local.x * local.x + local.y * local.y;
         const double reach = distance(d, local.z, sin_squared);
         const Vec3 from_centre = normalize(direction * reach - to_centre);
-        return EmitterSample{direction,
-                             reach,
-                             radiance_,
-                             uniform_cone_pdf(local, cone),
-                             Measure::solid_angle,
-                             sphere_point(centre_, radius_, from_centre)};
+        return EmitterSample{direction,           reach, radiance_, uniform_cone_pdf(local, cone), Measure::solid_angle,
+                             shining(from_centre)};
     }
     [[nodiscard]] std::optional<EmitterHit> hit(Vec3 from, Vec3 direction) const {
         const Vec3 to_centre = centre_ - from;
@@ -44,9 +40,22 @@ public:
         if (d > radius_ && !(cos > 0 && d * d * sin_squared <= radius_ * radius_)) return {};
         return EmitterHit{distance(d, cos, sin_squared), radiance_, 1 / (2 * pi * one_minus_cos(d))};
     }
-    [[nodiscard]] Spectrum power(double) const { return lambertian_power(radiance_, 4 * pi * radius_ * radius_); }
+    [[nodiscard]] EmittedRay sample_ray(const Ball&, const Point<2>& u, const Point<2>& v) const {
+        return send_from(shining(sample_uniform_sphere(u)), radiance_, 1 / area(), v);
+    }
+    [[nodiscard]] EmittedRayPdf ray_pdf(const Ball&, Vec3 normal, Vec3 direction) const {
+        return ray_pdf_from(1 / area(), normal, direction);
+    }
+    [[nodiscard]] Spectrum power(double) const { return lambertian_power(radiance_, area()); }
 
 private:
+    [[nodiscard]] double area() const { return 4 * pi * radius_ * radius_; }
+    /// The point in this direction, its normal on the shining side.
+    [[nodiscard]] SurfacePoint shining(Vec3 from_centre) const {
+        SurfacePoint point = sphere_point(centre_, radius_, from_centre);
+        if (side_ == Side::inwards) point.normal = -point.normal;
+        return point;
+    }
     [[nodiscard]] bool shines_at(double d) const { return side_ == Side::outwards ? d > radius_ : d < radius_; }
     /// Of the half angle under which the sphere is seen from d: sin² = (R/d)², and 1 − cos = sin²/(1 + cos).
     [[nodiscard]] double one_minus_cos(double d) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scenes/emitters/emitter.h"
+#include "scenes/warps.h"
 
 namespace plumb {
 
@@ -27,6 +28,19 @@ inline std::optional<PlaneHit> meet_plane(Vec3 from, Vec3 direction, Vec3 point,
     const double distance = dot(normal, from - point) / cos_at_light;
     if (!(distance > 0)) return {};
     return PlaneHit{distance, cos_at_light};
+}
+
+/// A ray from a point of a light that shines to the side of its normal, chosen with density pdf_area.
+inline EmittedRay send_from(const SurfacePoint& point, const Spectrum& radiance, double pdf_area, const Point<2>& u) {
+    const Vec3 local = sample_cosine_hemisphere(u);
+    return {point.position,
+            Frame(point.normal).to_world(local),
+            radiance * (pi / pdf_area),  // cosines cancel
+            {pdf_area, cosine_hemisphere_pdf(local)},
+            point};
+}
+inline EmittedRayPdf ray_pdf_from(double pdf_area, Vec3 normal, Vec3 direction) {
+    return {pdf_area, cosine_hemisphere_pdf({0, 0, dot(normal, direction)})};
 }
 
 /// Flux of a one-sided surface of constant radiance: π L A.

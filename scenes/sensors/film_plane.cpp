@@ -19,7 +19,8 @@ CameraPose look_at(Vec3 origin, Vec3 target, Vec3 up) {
     return {origin, right, cross(right, forward), forward};
 }
 
-FilmPlane::FilmPlane(FilmSize size, double fov, FovAxis axis) : width_(size.width), height_(size.height) {
+FilmPlane::FilmPlane(FilmSize size, double fov, FovAxis axis, double margin)
+    : width_(size.width), height_(size.height), margin_(margin) {
     if (size.width < 1 || size.height < 1)
         throw Error(fmt::format("film of {} x {} pixels: both must be at least 1", size.width, size.height));
     if (!(fov > 0 && fov < 180)) throw Error(fmt::format("field of view of {} degrees: accepted are 0 to 180", fov));
@@ -46,7 +47,8 @@ std::optional<Point<2>> FilmPlane::film_at(Vec3 towards) const {
     if (!(towards.z > 0)) return {};
     const Point<2> film{(towards.x / towards.z / half_width_ + 1) / 2 * width_,
                         (1 - towards.y / towards.z / half_height_) / 2 * height_};
-    if (!(0 <= film[0] && film[0] < width_ && 0 <= film[1] && film[1] < height_)) return {};
+    const auto within = [&](double x, double extent) { return -margin_ <= x && x < extent + margin_; };
+    if (!within(film[0], width_) || !within(film[1], height_)) return {};
     return film;
 }
 

@@ -27,12 +27,13 @@ struct FilmSize {
 /// The film as a window in the plane one unit ahead of a lens: film points, in pixels, against directions.
 class FilmPlane {
 public:
-    /// fov in degrees, in (0, 180). Throws Error for others and for a film of no pixels.
-    FilmPlane(FilmSize size, double fov, FovAxis axis);
+    /// fov in degrees, in (0, 180); margin in pixels, by which filters reach beyond the film. Throws Error for another
+    /// fov and for a film of no pixels.
+    FilmPlane(FilmSize size, double fov, FovAxis axis, double margin = 0);
 
     /// The point (x right, y up, z = 1 forward) of the plane.
     [[nodiscard]] Vec3 place(const Point<2>& film) const;
-    /// The film point towards (x, y, z); empty behind the lens or outside the film.
+    /// The film point towards (x, y, z); empty behind the lens or outside the film and its margin.
     [[nodiscard]] std::optional<Point<2>> film_at(Vec3 towards) const;
     /// Pixels per unit of area of the plane.
     [[nodiscard]] double pixels_per_area() const;
@@ -40,7 +41,7 @@ public:
     [[nodiscard]] double pixels_per_steradian(double cos) const { return pixels_per_area() / (cos * cos * cos); }
 
 private:
-    double width_, height_, half_width_, half_height_;
+    double width_, height_, margin_, half_width_, half_height_;
 };
 
 }  // namespace plumb

@@ -8,8 +8,8 @@ namespace plumb {
 /// A pinhole: everything is in focus.
 class Perspective {
 public:
-    Perspective(const CameraPose& pose, FilmSize size, double fov, FovAxis axis = FovAxis::x)
-        : pose_(pose), plane_(size, fov, axis) {}
+    Perspective(const CameraPose& pose, FilmSize size, double fov, FovAxis axis = FovAxis::x, double margin = 0)
+        : pose_(pose), plane_(size, fov, axis, margin) {}
 
     [[nodiscard]] Ray sample_ray(const Point<2>& film, const Point<2>& lens) const;
     [[nodiscard]] double pdf(const Ray& ray) const;

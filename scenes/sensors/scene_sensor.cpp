@@ -12,13 +12,14 @@ CameraPose pose_of(const Transform& to_world) {
     return {to_world.point({0, 0, 0}), axis({-1, 0, 0}), axis({0, 1, 0}), axis({0, 0, 1})};
 }
 
-std::variant<Perspective, ThinLens> model_of(const description::Sensor& sensor) {
+std::variant<Perspective, ThinLens> model_of(const description::Sensor& sensor, double margin) {
     const FilmSize size{sensor.film.width, sensor.film.height};
     const CameraPose pose = pose_of(sensor.to_world);
     try {
         if (sensor.aperture_radius > 0)
-            return ThinLens(pose, size, sensor.fov_x, sensor.aperture_radius, sensor.focus_distance);
-        return Perspective(pose, size, sensor.fov_x);
+            return ThinLens(pose, size, sensor.fov_x, sensor.aperture_radius, sensor.focus_distance, FovAxis::x,
+                            margin);
+        return Perspective(pose, size, sensor.fov_x, FovAxis::x, margin);
     } catch (const Error& error) {
         throw sensor.place.error(error.what());
     }
@@ -40,6 +41,8 @@ Filter filter_of(const description::Sensor& sensor) {
 }  // namespace
 
 SceneSensor::SceneSensor(const description::Sensor& sensor)
-    : film_{sensor.film.width, sensor.film.height}, filter_(filter_of(sensor)), model_(model_of(sensor)) {}
+    : film_{sensor.film.width, sensor.film.height},
+      filter_(filter_of(sensor)),
+      model_(model_of(sensor, margin(filter_))) {}
 
 }  // namespace plumb

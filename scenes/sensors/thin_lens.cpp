@@ -7,8 +7,9 @@
 
 namespace plumb {
 
-ThinLens::ThinLens(const CameraPose& pose, FilmSize size, double fov, double radius, double focus, FovAxis axis)
-    : pose_(pose), plane_(size, fov, axis), radius_(radius), focus_(focus) {
+ThinLens::ThinLens(const CameraPose& pose, FilmSize size, double fov, double radius, double focus, FovAxis axis,
+                   double margin)
+    : pose_(pose), plane_(size, fov, axis, margin), radius_(radius), focus_(focus) {
     const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
     if (!positive(radius) || !positive(focus))
         throw Error(

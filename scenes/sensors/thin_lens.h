@@ -10,7 +10,8 @@ namespace plumb {
 class ThinLens {
 public:
     /// focus: distance of the plane in focus. Throws Error unless radius and focus are positive and finite.
-    ThinLens(const CameraPose& pose, FilmSize size, double fov, double radius, double focus, FovAxis axis = FovAxis::x);
+    ThinLens(const CameraPose& pose, FilmSize size, double fov, double radius, double focus, FovAxis axis = FovAxis::x,
+             double margin = 0);
 
     [[nodiscard]] Ray sample_ray(const Point<2>& film, const Point<2>& lens) const;
     /// The plane in focus is at distance focus/cos, so that dω = cos³ dA/focus², dA = focus² of the plane at 1: as for

@@ -31,9 +31,18 @@ Catalogue shipped_catalogue() {
     add_light_claims(catalogue);
     add_light_irradiance_claims(catalogue);
     add_light_rate_claims(catalogue);
+    add_light_ray_claims(catalogue);
     add_camera_claims(catalogue);
     add_film_claims(catalogue);
+    add_direct_closed_form_claims(catalogue);
+    add_direct_known_claims(catalogue);
+    add_direct_pixel_claims(catalogue);
+    add_direct_rate_claims(catalogue);
+    add_direct_technique_claims(catalogue);
+    add_direct_visibility_claims(catalogue);
+    add_path_claims(catalogue);
     add_surface_claims(catalogue);
+    add_texture_claims(catalogue);
     add_bsdf_model_claims(catalogue);
     add_bsdf_term_claims(catalogue);
     add_compare_claims(catalogue);

@@ -35,9 +35,18 @@ void add_warp_claims(Catalogue& catalogue);
 void add_light_claims(Catalogue& catalogue);
 void add_light_irradiance_claims(Catalogue& catalogue);
 void add_light_rate_claims(Catalogue& catalogue);
+void add_light_ray_claims(Catalogue& catalogue);
 void add_camera_claims(Catalogue& catalogue);
 void add_film_claims(Catalogue& catalogue);
+void add_direct_closed_form_claims(Catalogue& catalogue);
+void add_direct_known_claims(Catalogue& catalogue);
+void add_direct_pixel_claims(Catalogue& catalogue);
+void add_direct_rate_claims(Catalogue& catalogue);
+void add_direct_technique_claims(Catalogue& catalogue);
+void add_direct_visibility_claims(Catalogue& catalogue);
+void add_path_claims(Catalogue& catalogue);
 void add_surface_claims(Catalogue& catalogue);
+void add_texture_claims(Catalogue& catalogue);
 void add_bsdf_model_claims(Catalogue& catalogue);  ///< every model against its own words
 void add_bsdf_term_claims(Catalogue& catalogue);   ///< Fresnel's and the microfacets' terms in multi-precision
 void add_compare_claims(Catalogue& catalogue);     ///< `plumb compare` on trial

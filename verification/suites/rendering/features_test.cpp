@@ -21,7 +21,7 @@ const std::map<KindAndName, std::string>& claims_of_features() {
         {{"bsdf", "conductor"}, "bsdf/conductor/energy"},
         {{"bsdf", "dielectric"}, "bsdf/dielectric/eta-squared"},
         {{"bsdf", "diffuse"}, "bsdf/diffuse/sample"},
-        {{"bsdf", "mask"}, "direct/mask/transmittance"},
+        {{"bsdf", "mask"}, "bsdf/mask/transmittance"},
         {{"bsdf", "plastic"}, "bsdf/plastic/sample"},
         {{"bsdf", "roughconductor"}, "bsdf/roughconductor-ggx/sample"},
         {{"bsdf", "roughdielectric"}, "bsdf/roughdielectric-ggx/sample"},

@@ -24,6 +24,12 @@ Light light_of(std::string name, std::string title, const E& emitter) {
     light.sample = [emitter](Vec3 from, const Point<2>& u) { return emitter.sample(from, u); };
     light.hit = [emitter](Vec3 from, Vec3 direction) { return emitter.hit(from, direction); };
     light.power = [emitter](double scene_radius) { return emitter.power(scene_radius); };
+    light.sample_ray = [emitter](const Ball& scene, const Point<2>& u, const Point<2>& v) {
+        return emitter.sample_ray(scene, u, v);
+    };
+    light.ray_pdf = [emitter](const Ball& scene, Vec3 normal, Vec3 direction) {
+        return emitter.ray_pdf(scene, normal, direction);
+    };
     return light;
 }
 

@@ -15,6 +15,8 @@ struct Light {
     std::function<std::optional<EmitterSample>(Vec3 from, const Point<2>& u)> sample;
     std::function<std::optional<EmitterHit>(Vec3 from, Vec3 direction)> hit;
     std::function<Spectrum(double)> power;
+    std::function<EmittedRay(const Ball& scene, const Point<2>& u, const Point<2>& v)> sample_ray;
+    std::function<EmittedRayPdf(const Ball& scene, Vec3 normal, Vec3 direction)> ray_pdf;
     double largest_pdf = 0;      ///< as seen from the origin
     double reference_power = 0;  ///< in the second lane, for a scene of the enclosing radius
     Vec3 centre{};               ///< of a sphere around the light

@@ -1,0 +1,81 @@
+#include <gmock/gmock.h>
+
+#include "cli/command_test.h"
+#include "core/image.h"
+
+namespace plumb {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class RenderCommand : public CommandTest {
+protected:
+    [[nodiscard]] Image image(const std::string& name) const { return read_image(folder / name); }
+};
+
+std::size_t channel(const Image& image, const std::string& name) {
+    const auto found = std::ranges::find(image.channels, name);
+    EXPECT_NE(found, image.channels.end()) << name;
+    return static_cast<std::size_t>(found - image.channels.begin());
+}
+
+TEST_F(RenderCommand, SameSeedSameFileOnAnyNumberOfThreads) {
+    for (const char* sampler : {"independent", "stratified", "sobol"}) {
+        const std::string call = std::string("render quad_light --spp 4 --seed 7 --sampler ") + sampler;
+        EXPECT_EQ(plumb(call + " --threads 1 -o a.exr").exit_code, 0);
+        EXPECT_EQ(plumb(call + " --threads 2 -o b.exr").exit_code, 0);
+        EXPECT_EQ(read("a.exr"), read("b.exr")) << sampler;
+    }
+}
+
+TEST_F(RenderCommand, WritesLayersAndWhereTheyComeFrom) {
+    ASSERT_EQ(plumb("render quad_light --spp 8 --seed 7 -o a.exr").exit_code, 0);
+    const Image a = image("a.exr");
+    EXPECT_EQ(a.width, 128);
+    EXPECT_EQ(a.at(64, 80, channel(a, "samples")), 8);
+    EXPECT_GT(a.at(64, 80, channel(a, "variance.R")), 0);
+    EXPECT_NEAR(a.at(64, 80, channel(a, "albedo.G")), 0.5, 1e-6);
+    EXPECT_NEAR(a.at(64, 80, channel(a, "normal.Y")), 1, 1e-6);
+    EXPECT_GT(a.at(64, 80, channel(a, "depth.Z")), 3);
+    EXPECT_EQ(a.metadata.at("plumb:integrator"), "direct");
+    EXPECT_EQ(a.metadata.at("plumb:spp"), "8");
+    EXPECT_EQ(a.metadata.at("plumb:scene_hash").size(), 16u);
+    EXPECT_THAT(read("a.exr.json"), AllOf(HasSubstr("\"rays\""), HasSubstr("\"seconds\""), HasSubstr("\"nan\": 0")));
+}
+
+TEST_F(RenderCommand, ACropIsThatPartOfThePicture) {
+    ASSERT_EQ(plumb("render quad_light --spp 2 --seed 7 -o whole.exr").exit_code, 0);
+    ASSERT_EQ(plumb("render quad_light --spp 2 --seed 7 --crop 50,40,20,10 -o part.exr").exit_code, 0);
+    const Image whole = image("whole.exr"), part = image("part.exr");
+    ASSERT_EQ(part.width, 20);
+    ASSERT_EQ(part.height, 10);
+    for (const int x : {0, 7, 19})
+        EXPECT_EQ(part.at(x, 9, channel(part, "R")), whole.at(50 + x, 49, channel(whole, "R")));
+}
+
+TEST_F(RenderCommand, EndsWhenItsTimeIsOver) {
+    const Said said = plumb("render quad_light --time 0.3s --crop 0,0,16,16 --seed 1 -o a.png");
+    EXPECT_EQ(said.exit_code, 0) << said.error;
+    EXPECT_THAT(said.out, HasSubstr("a.png"));
+    EXPECT_EQ(image("a.png").channels.size(), 3u);
+}
+
+TEST_F(RenderCommand, NamesWhatIsWrong) {
+    EXPECT_THAT(complaint("render quad_ligth -o a.exr"), HasSubstr("did you mean 'quad_light'"));
+    EXPECT_THAT(complaint("render missing.xml -o a.exr"), HasSubstr("missing.xml"));
+    EXPECT_THAT(complaint("render quad_light --integrator paht -o a.exr"), HasSubstr("did you mean 'path'"));
+    EXPECT_THAT(complaint("render quad_light --sampler halton -o a.exr"), HasSubstr("sobol"));
+    EXPECT_THAT(complaint("render quad_light --crop 120,0,20,20 -o a.exr"), HasSubstr("film of 128 x 96"));
+    EXPECT_THAT(complaint("render quad_light --spp 0 -o a.exr"), HasSubstr("--spp"));
+    EXPECT_THAT(complaint("render quad_light --spp 4 --time 3s -o a.exr"), HasSubstr("--time"));
+    EXPECT_THAT(complaint("render quad_light -D size=3 --spp 1 -o a.exr"), HasSubstr("size"));
+    EXPECT_THAT(complaint("render quad_light --spp 1 -o /proc/a.exr"), HasSubstr("/proc/a.exr"));
+    EXPECT_THAT(complaint("render quad_light --spp 1 --crop 0,0,4,4 -o a.nonsense"), HasSubstr("a.nonsense"));
+    write("bad.xml", "<scene version=\"3.0.0\">\n<shape type=\"torus\"/>\n</scene>\n");
+    EXPECT_THAT(complaint("render bad.xml -o a.exr"), StartsWith("plumb: bad.xml:2: unknown shape 'torus'"));
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "scenes/emitters/emitter.h"
+#include "scenes/warps.h"
+
+namespace plumb {
+
+// What all environments share.
+
+/// The ray of a sample of an environment: from the disk that touches the scene's ball there and faces it.
+inline EmittedRay send_from_afar(const Ball& scene, const EmitterSample& sample, const Point<2>& u) {
+    const Point<2> p = sample_concentric_disk(u);
+    const Vec3 local{scene.radius * p[0], scene.radius * p[1], scene.radius};
+    const double pdf_area = 1 / (pi * scene.radius * scene.radius);
+    return {scene.centre + Frame(sample.direction).to_world(local),
+            -sample.direction,
+            sample.radiance / (pdf_area * sample.pdf),
+            {pdf_area, sample.pdf}};
+}
+
+/// Of a ray that comes from where an environment's samples have this density.
+inline EmittedRayPdf ray_pdf_from_afar(const Ball& scene, double pdf) {
+    return {1 / (pi * scene.radius * scene.radius), pdf};
+}
+
+}  // namespace plumb

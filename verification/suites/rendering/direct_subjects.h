@@ -1,0 +1,90 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "core/random.h"
+#include "integrators/direct.h"
+
+namespace plumb {
+
+// What the claims direct/* share: scenes built from a few shapes, paths through a given film point, and an integrator
+// put together from the library's parts, so that mutants replace one of them.
+
+/// The film point is given, all other numbers are those of `rest`.
+class AtFilmPoint final : public PrimarySamples {
+public:
+    AtFilmPoint(const Scene& scene, const Point<2>& film, PrimarySamples& rest);
+    Drawn at(Slot slot) override { return slot.use == Use::film ? film_ : rest_.at(slot); }
+    /// The pixel that the film point lies in: the region to trace with these numbers.
+    [[nodiscard]] const FilmRegion& pixel() const { return pixel_; }
+
+private:
+    FilmRegion pixel_;
+    Drawn film_;
+    PrimarySamples& rest_;
+};
+
+/// The mean of n paths through a film point, or of a whole region where there is none, their numbers Owen-scrambled;
+/// contributions of more edges than `edges` are left out.
+struct Measurement {
+    const Scene& scene;
+    const PathEstimator& estimator;
+    std::optional<Point<2>> film = {};
+    FilmRegion region = {};
+    std::uint32_t n = 16;
+    int edges = 2;
+
+    [[nodiscard]] Spectrum draw(RandomStream& random) const;
+};
+
+/// What a vertex reflects, by parts of the library or by others in their place.
+using Reflected = std::function<Spectrum(const Scene&, const PathVertex&, PrimarySamples&, PathRecord&)>;
+
+/// Direct illumination, as integrators/direct.cpp, whose reflected light is given.
+struct DirectBy final : PathEstimator {
+    Reflected reflected;
+    explicit DirectBy(Reflected r) : reflected(std::move(r)) {}
+    void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
+               PathRecord& record) const override;
+};
+
+/// Both techniques, each with a next event estimation of its own.
+std::unique_ptr<PathEstimator> direct_by(LightTechniques used, const NextEvent& for_emitters,
+                                         const NextEvent& for_bsdf);
+inline std::unique_ptr<PathEstimator> direct_by(LightTechniques used, const NextEvent& next_event) {
+    return direct_by(used, next_event, next_event);
+}
+
+/// An estimator all of whose values are multiplied.
+struct Scaled final : PathEstimator {
+    std::shared_ptr<const PathEstimator> estimator;
+    double factor;
+    Scaled(std::shared_ptr<const PathEstimator> e, double f) : estimator(std::move(e)), factor(f) {}
+    void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
+               PathRecord& record) const override;
+};
+
+// ---- scenes from a few shapes
+
+description::MaterialId add_material(description::Scene& scene,
+                                     decltype(description::Material::kind) kind = description::Diffuse{
+                                         Spectrum::grey(1)});
+
+/// A convex polygon, its outside where the corners turn counterclockwise; it shines where it has a radiance.
+void add_polygon(description::Scene& scene, const std::vector<Vec3>& corners, description::MaterialId material,
+                 std::optional<Spectrum> radiance = {});
+void add_shape(description::Scene& scene, decltype(description::Shape::geometry) geometry,
+               description::MaterialId material, std::optional<Spectrum> radiance = {});
+
+/// A rectangle around a point, `half` in its smaller half side, on whose edges and diagonal the point does not lie.
+void add_receiver(description::Scene& scene, Vec3 point, Vec3 normal, description::MaterialId material,
+                  double half = 0.04);
+
+/// A camera that looks from `from` at a point, which it sees at the centre of a film of this size with a box filter.
+description::Sensor camera(Vec3 from, Vec3 at, double fov_x = 20, int width = 1, int height = 1);
+
+/// A unit vector at a right angle to n.
+Vec3 perpendicular_to(Vec3 n);
+
+}  // namespace plumb
