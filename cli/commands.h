@@ -25,6 +25,7 @@ int converge(const ConvergeOptions& options);
 int study(const StudyOptions& options);
 int study_calibration(const StudyOptions& options);  ///< the study of that name: what a verdict costs
 int render(const RenderOptions& options);
+int compare(const CompareOptions& options);
 int integrate(const IntegrateOptions& options);
 int weights(const WeightsOptions& options);
 int report(const ReportOptions& options);

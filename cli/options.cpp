@@ -248,6 +248,35 @@ void add_render(CLI::App& app, RenderOptions& options, std::vector<std::string>&
     verb->footer("Example: plumb render cornell_box --sampler sobol --spp 64 -o cornell.exr");
 }
 
+void add_share(CLI::App* verb, const std::string& name, double& share, const std::string& about) {
+    verb->add_option_function<std::string>(
+            name, [&share](const std::string& text) { share = parse_error_target(text).error; },
+            fmt::format("{} [{} %]", about, 100 * share))
+        ->check(checked(parse_error_target));
+}
+
+void add_compare(CLI::App& app, CompareOptions& options) {
+    CLI::App* verb = app.add_subcommand("compare", "Are two images estimates of the same picture?");
+    verb->add_option("images", options.images, "image a and image b, of any renderer")->expected(0, 2);
+    verb->add_option("--a", options.a, "independent renders of a: two or more unless a has layers of its variance");
+    verb->add_option("--b", options.b, "independent renders of b");
+    verb->add_flag("--exact-b", options.exact_b, "b has no error: a closed form, not a render");
+    add_share(verb, "--delta", options.settings.delta, "how far the picture's mean may be off, of b's");
+    add_share(verb, "--tile-delta", options.settings.tile_delta, "how far a tile's mean may be off, of b's");
+    verb->add_option("--tile", options.settings.tile, "edge of a tile in pixels; about 256 tiles when not given")
+        ->check(CLI::Range(2, 1 << 16));
+    verb->add_option("--alpha", options.settings.alpha, "the risk of refuting two true estimates")
+        ->check(probability)
+        ->capture_default_str();
+    verb->add_option("--json", options.json, "write everything but the pixels as JSON to this file");
+    verb->add_option("--report", options.report, "the page with both images; '' for none")->capture_default_str();
+    verb->footer(
+        "Exit code: 0 equal within delta, 1 refuted, 2 usage or input error, 3 undecided. docs/compare.md says what "
+        "is\n"
+        "tested and what it cannot see.\n\n"
+        "Example: plumb compare path.exr bdpt.exr --delta 0.5%");
+}
+
 void add_report(CLI::App& app, ReportOptions& options) {
     CLI::App* verb = app.add_subcommand("report", "Rebuild the report of a stored run");
     verb->add_option("--run", options.run, "the run's number; the newest when not given");
@@ -402,6 +431,7 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     IntegrateOptions integrate;
     WeightsOptions weights;
     RenderOptions render;
+    CompareOptions compare;
     std::vector<std::string> definitions;
     StudyOptions study;
     ReportOptions report;
@@ -411,6 +441,7 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     if (verbs == VerbSet::shipped) {
         add_converge(app, converge, counts);
         add_render(app, render, definitions);
+        add_compare(app, compare);
         add_integrate(app, integrate);
         add_weights(app, weights);
         add_study(app, study);
@@ -432,6 +463,7 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     if (app.got_subcommand("study")) return study;
     for (const std::string& text : definitions) render.definitions.insert(parse_definition(text));
     if (app.got_subcommand("render")) return render;
+    if (app.got_subcommand("compare")) return compare;
     if (app.got_subcommand("integrate")) return integrate;
     if (app.got_subcommand("weights")) return weights;
     if (app.got_subcommand("merge")) return merge;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "estimators/integration.h"
+#include "verification/image_comparison.h"
 #include "verification/runner.h"
 
 namespace plumb {
@@ -101,6 +102,14 @@ struct RenderOptions {
     std::string out;  ///< empty: out/SCENE.exr
 };
 
+struct CompareOptions {
+    std::vector<std::string> images;  ///< a and b
+    std::vector<std::string> a, b;    ///< more independent renders of each
+    bool exact_b = false;             ///< b is a deterministic picture
+    ComparisonSettings settings;
+    std::string json, report = "out/compare.html";
+};
+
 struct ReportOptions {
     std::string store = "out/results.db", report = "out/report.html";
     std::optional<std::int64_t> run, against;  ///< run: empty for the newest
@@ -113,7 +122,7 @@ struct Answered {
 };
 
 using Options = std::variant<Answered, VerifyOptions, RenderOptions, ListOptions, ConvergeOptions, IntegrateOptions,
-                             WeightsOptions, StudyOptions, ReportOptions, MergeOptions>;
+                             WeightsOptions, StudyOptions, ReportOptions, MergeOptions, CompareOptions>;
 
 /// The verbs that need nothing but a catalogue, or all those of the program that Plumb ships.
 enum class VerbSet { of_a_catalogue, shipped };

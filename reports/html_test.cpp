@@ -2,11 +2,11 @@
 
 #include <gmock/gmock.h>
 
-#include <cstdlib>
 #include <regex>
 
 #include "core/file.h"
 #include "core/test_folder.h"
+#include "reports/browse.h"
 #include "reports/sample_results.h"
 
 namespace plumb {
@@ -50,59 +50,9 @@ TEST(Page, OfConvergeHasNoVerdicts) {
 
 // ---- in a browser
 
-struct Browsed {
-    std::string dom, messages;
-    /// An attribute data-WHAT of <body>.
-    [[nodiscard]] std::string saw(const std::string& what) const {
-        const std::size_t body = dom.find("<body"), end = dom.find('>', body);
-        const std::string mark = " data-" + what + "=\"";
-        const std::size_t at = dom.find(mark, body);
-        if (at > end) return "";
-        const std::size_t from = at + mark.size();
-        return dom.substr(from, dom.find('"', from) - from);
-    }
-};
-
-/// The page around the page under test, which stands in a frame (a window is never narrower than 500 pixels). It writes
-/// down what page/test/try_everything.js reports from there; until then the second frame, opened and not closed, keeps
-/// the browser from finishing.
-constexpr const char* frame_page = R"(<body>
-<iframe id="wait" hidden></iframe>
-<script>
-const wait = document.getElementById("wait").contentDocument;
-wait.open();
-onmessage = (event) => {{
-  Object.assign(document.body.dataset, event.data);
-  wait.close();
-}};
-</script>
-<iframe src="page.html" style="width: {}px; height: 900px; border: 0"></iframe>
-)";
-
-/// Opens the page in a headless Chromium with everything tried, at this width.
 Browsed browse(const std::string& page, int width, const std::string& options = "") {
-    const TestFolder folder;
-    const std::string script = read_file(PLUMB_PAGE_FOLDER "/test/try_everything.js");
-    write_file(folder / "page.html", page + "<script>" + script + "</script>");
-    write_file(folder / "frame.html", fmt::format(frame_page, width));
-    const std::string command = fmt::format(
-        "cd '{}' && timeout 120 '{}' --headless --hide-scrollbars --no-sandbox --disable-gpu --disable-quic "
-        "--no-first-run "
-        "--disable-background-networking --disable-component-update --disable-sync --user-data-dir=profile "
-        "--enable-logging=stderr --window-size=1400,1000 {} --dump-dom "
-        "\"file://$PWD/frame.html\" "
-        ">dom 2>messages",
-        folder.path().string(), PLUMB_CHROMIUM, options);
-    EXPECT_EQ(std::system(command.c_str()), 0);
-    return {read_file(folder / "dom"), read_file(folder / "messages")};
+    return plumb::browse(page, "try_everything.js", width, options);
 }
-
-class PageInBrowser : public testing::Test {
-protected:
-    void SetUp() override {
-        if (!std::filesystem::exists(PLUMB_CHROMIUM)) GTEST_SKIP() << "chromium is not installed";
-    }
-};
 
 TEST_F(PageInBrowser, DrawsItsPlotsAndSurvivesEveryControl) {
     const Browsed page = browse(sample_page(), 1280);

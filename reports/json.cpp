@@ -4,19 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "reports/json_values.h"
 
 namespace plumb {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json_values::Json, json_values::number, json_values::interval;
 
 // ---- numbers and intervals
-
-Json number(double x) {
-    if (std::isnan(x)) return nullptr;
-    if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
-    return x;
-}
 
 double number_from(const Json& json) {
     if (json.is_null()) return std::numeric_limits<double>::quiet_NaN();
@@ -27,9 +22,6 @@ double number_from(const Json& json) {
     throw Error(fmt::format("a number, null, \"inf\" or \"-inf\" was expected, not \"{}\"", text));
 }
 
-Json interval(const Interval& i) {
-    return {{"low", number(i.low)}, {"high", number(i.high)}};
-}
 Interval interval_from(const Json& json) {
     return {number_from(json.at("low")), number_from(json.at("high"))};
 }

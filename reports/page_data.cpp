@@ -4,11 +4,12 @@
 
 #include "reports/differences.h"
 #include "reports/json.h"
+#include "reports/json_values.h"
 
 namespace plumb {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json_values::Json, json_values::for_script;
 
 Json document(const Results& results) {
     Json json = Json::parse(to_json(results));
@@ -50,18 +51,6 @@ Json figure(const FigureResult& result, std::vector<Series>& series) {
         json["panels"].push_back({{"integrand", panel.integrand}, {"integral", panel.integral}, {"series", indices}});
     }
     return json;
-}
-
-/// On one line; '<' occurs in strings only, so that no "</script" or "<!--" can end the element.
-std::string for_script(const Json& json) {
-    std::string text;
-    for (const char c : json.dump()) {
-        if (c == '<')
-            text += "\\u003c";
-        else
-            text += c;
-    }
-    return text;
 }
 
 }  // namespace

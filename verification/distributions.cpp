@@ -5,6 +5,7 @@
 #include <boost/math/distributions/complement.hpp>
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 namespace plumb {
@@ -17,6 +18,18 @@ double normal_upper_quantile(double tail) {
 
 double normal_two_sided_tail(double z) {
     return std::erfc(std::abs(z) / std::sqrt(2.0));
+}
+
+double student_two_sided_tail(double t, double degrees_of_freedom) {
+    return 2 * math::cdf(math::complement(math::students_t(degrees_of_freedom), std::abs(t)));
+}
+
+double student_upper_quantile(double tail, double degrees_of_freedom) {
+    return math::quantile(math::complement(math::students_t(degrees_of_freedom), tail));
+}
+
+double chi_square_lower_tail(double x, double degrees_of_freedom) {
+    return math::cdf(math::chi_squared(degrees_of_freedom), x);
 }
 
 double chi_square_tail(double x, double degrees_of_freedom) {

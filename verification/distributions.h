@@ -13,6 +13,13 @@ double normal_upper_quantile(double tail);
 /// P(|Z| > z).
 double normal_two_sided_tail(double z);
 
+/// P(|T| > t) for Student's t with k > 0 degrees of freedom, which may be infinite.
+double student_two_sided_tail(double t, double degrees_of_freedom);
+/// t with P(T > t) = tail.
+double student_upper_quantile(double tail, double degrees_of_freedom);
+
+/// P(X < x) for chi-square with k degrees of freedom.
+double chi_square_lower_tail(double x, double degrees_of_freedom);
 /// P(X > x) for chi-square with k degrees of freedom.
 double chi_square_tail(double x, double degrees_of_freedom);
 /// x with P(X > x) = tail.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace plumb {
 namespace {
@@ -19,7 +20,14 @@ TEST(Normal, TailsSurviveFarOut) {
     EXPECT_NEAR(normal_two_sided_tail(30) / 9.813e-198, 1, 1e-3);
 }
 
+TEST(Student, AgreesWithTables) {
+    EXPECT_NEAR(student_upper_quantile(0.025, 10), 2.228138852, 1e-9);
+    EXPECT_NEAR(student_two_sided_tail(2.228138852, 10), 0.05, 1e-9);
+    EXPECT_NEAR(student_two_sided_tail(3, std::numeric_limits<double>::infinity()), 0.002699796063260, 1e-14);
+}
+
 TEST(ChiSquare, AgreesWithTables) {
+    EXPECT_NEAR(chi_square_lower_tail(3.940299, 10), 0.05, 1e-7);
     EXPECT_NEAR(chi_square_upper_quantile(0.05, 10), 18.307038, 1e-6);
     EXPECT_NEAR(chi_square_upper_quantile(0.001, 1), 10.827566, 1e-6);
     EXPECT_NEAR(chi_square_tail(18.307038, 10), 0.05, 1e-8);

@@ -40,6 +40,7 @@ Catalogue shipped_catalogue() {
     add_direct_rate_claims(catalogue);
     add_direct_technique_claims(catalogue);
     add_direct_visibility_claims(catalogue);
+    add_path_claims(catalogue);
     add_surface_claims(catalogue);
     add_texture_claims(catalogue);
     add_bsdf_model_claims(catalogue);
@@ -47,6 +48,7 @@ Catalogue shipped_catalogue() {
     add_transport_closed_claims(catalogue);
     add_transport_equal_claims(catalogue);
     add_transport_weight_claims(catalogue);
+    add_compare_claims(catalogue);
     return catalogue;
 }
 

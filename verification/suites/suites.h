@@ -44,6 +44,7 @@ void add_direct_pixel_claims(Catalogue& catalogue);
 void add_direct_rate_claims(Catalogue& catalogue);
 void add_direct_technique_claims(Catalogue& catalogue);
 void add_direct_visibility_claims(Catalogue& catalogue);
+void add_path_claims(Catalogue& catalogue);
 void add_surface_claims(Catalogue& catalogue);
 void add_texture_claims(Catalogue& catalogue);
 void add_transport_closed_claims(Catalogue& catalogue);
@@ -51,5 +52,6 @@ void add_transport_equal_claims(Catalogue& catalogue);
 void add_transport_weight_claims(Catalogue& catalogue);
 void add_bsdf_model_claims(Catalogue& catalogue);  ///< every model against its own words
 void add_bsdf_term_claims(Catalogue& catalogue);   ///< Fresnel's and the microfacets' terms in multi-precision
+void add_compare_claims(Catalogue& catalogue);     ///< `plumb compare` on trial
 
 }  // namespace plumb

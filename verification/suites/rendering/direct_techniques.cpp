@@ -60,12 +60,12 @@ const std::vector<View>& views() {
     using enum LightTechniques;
     static const std::vector<View> list{
         {"studio-emitters",
-         "the picture of a studio with three lights, a lace and a sky",
+         "the floor of a studio with three lights, a lace and a sky",
          studio,
+         Point<2>{3.5, 4.5},
          {},
-         {0, 0, 8, 6},
          emitters,
-         0.05,
+         0.02,
          64},
         {"studio-bsdf",
          "the picture of a studio with three lights, a lace and a sky",

@@ -1,0 +1,84 @@
+#include <filesystem>
+
+#include "cli/commands.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "core/image.h"
+#include "reports/comparison.h"
+#include "reports/text.h"
+
+namespace plumb {
+namespace {
+
+std::vector<std::string> files_of(const CompareOptions& options, std::size_t side) {
+    std::vector<std::string> files;
+    if (options.images.size() > side) files.push_back(options.images[side]);
+    const std::vector<std::string>& more = side == 0 ? options.a : options.b;
+    files.insert(files.end(), more.begin(), more.end());
+    if (files.empty())
+        throw Error(fmt::format("compare: there is no image {}; give two images, or lists of renders by --a and --b",
+                                side == 0 ? 'a' : 'b'));
+    return files;
+}
+
+void print_tiles(const ImageComparison& found) {
+    const auto print = [&](const char* title, const std::vector<std::size_t>& list) {
+        if (list.empty()) return;
+        fmt::print("{}:\n", title);
+        std::vector<std::vector<std::string>> rows;
+        for (std::size_t i = 0; i < std::min<std::size_t>(8, list.size()); ++i) {
+            const TileTest& t = found.tiles[list[i]];
+            rows.push_back({fmt::format("({}, {})", t.box.x, t.box.y), fmt::format("{}x{}", t.box.width, t.box.height),
+                            found.channels[t.channel].channel, readable(t.found.a), readable(t.found.b),
+                            readable(t.found.z), readable(t.found.p_value), to_string(t.state)});
+        }
+        fmt::print("{}", table({{"at"},
+                                {"pixels"},
+                                {"channel"},
+                                {"a", Align::right},
+                                {"b", Align::right},
+                                {"z", Align::right},
+                                {"p", Align::right},
+                                {"state"}},
+                               rows, 100));
+        if (list.size() > rows.size()) fmt::print("… and {} more\n", list.size() - rows.size());
+    };
+    print("Tiles that differ, worst first", found.differing);
+    print("Tiles that are not decided", found.undecided);
+}
+
+int exit_code(Outcome outcome) {
+    return outcome == Outcome::holds ? 0 : outcome == Outcome::refuted ? 1 : 3;
+}
+
+}  // namespace
+
+int compare(const CompareOptions& options) {
+    const std::vector<std::string> files_a = files_of(options, 0), files_b = files_of(options, 1);
+    for (const std::string& out : {options.json, options.report})
+        if (!out.empty()) check_writable(out);
+    std::vector<Image> images_a, images_b;
+    for (const std::string& file : files_a) images_a.push_back(read_image(file));
+    for (const std::string& file : files_b) images_b.push_back(read_image(file));
+    std::vector<Image> all = images_a;
+    std::vector<std::string> names = files_a;
+    all.insert(all.end(), images_b.begin(), images_b.end());
+    names.insert(names.end(), files_b.begin(), files_b.end());
+    require_independent(all, names);
+    const Picture a = picture_of(images_a, files_a), b = picture_of(images_b, files_b, options.exact_b);
+    const ImageComparison found = compare(a, b, options.settings);
+
+    const ComparisonReport report{files_a, files_b, a, b, options.settings, found};
+    if (!options.json.empty()) write_file(options.json, comparison_json(report));
+    if (!options.report.empty()) write_file(options.report, comparison_html(report));
+    fmt::print("{}: {}\n", to_string(found.verdict.outcome), found.verdict.reason);
+    print_tiles(found);
+    for (const ErrorMeasure& error : found.errors)
+        fmt::print("{} {} [{}, {}]  ", error.name, readable(error.value), readable(error.interval.low),
+                   readable(error.interval.high));
+    fmt::print("\n");
+    if (!options.report.empty()) fmt::print("report: {}\n", options.report);
+    return exit_code(found.verdict.outcome);
+}
+
+}  // namespace plumb

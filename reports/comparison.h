@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "verification/image_comparison.h"
+
+namespace plumb {
+
+/// A comparison with what was compared.
+struct ComparisonReport {
+    std::vector<std::string> files_a, files_b;
+    const Picture &a, &b;
+    ComparisonSettings settings;
+    const ImageComparison& found;
+};
+
+/// What `plumb compare --json` writes (docs/json.md): everything but the pixels.
+std::string comparison_json(const ComparisonReport& report);
+
+/// The comparison as one HTML page that needs nothing else: both pictures as floats, what they differ by and where.
+std::string comparison_html(const ComparisonReport& report);
+
+}  // namespace plumb
