@@ -36,7 +36,7 @@ Verdict same_mean(const Scene& scene, const FilmRegion& region, const PathEstima
     };
     return mean_is(
         draw,
-        {.delta = delta, .epsilon = 1e-5 * delta, .cap = run.pick(std::uint64_t{1} << 14, std::uint64_t{1} << 20)},
+        {.delta = delta, .epsilon = 1e-5 * delta, .cap = run.pick(std::uint64_t{1} << 15, std::uint64_t{1} << 20)},
         run);
 }
 
@@ -156,7 +156,7 @@ void add_rough(Catalogue& catalogue) {
 }
 
 void add_caustic(Catalogue& catalogue) {
-    const Subject caustic{"caustic", "light out of a ball of glass and off a mirror", caustic_scene, 0.16, 0.04};
+    const Subject caustic{"caustic", "light out of a ball of glass and off a mirror", caustic_scene, 0.16, 0.05};
     const Made path = correct<PathTracer>(4), light = correct<LightTracer>(4), bdpt = correct<Bdpt>(4);
     add(catalogue, caustic, "path-is-light", "`path` and `light` agree on", same_film, path, light,
         {{"eta-squared-on-both-sides", "Refraction compresses light on its way from the source too.",

@@ -144,7 +144,10 @@ const Scene& smooth_normals_scene() {
         const auto white = diffuse(smooth, 0.8), black = diffuse(smooth, 0);
         Mesh octahedron;
         octahedron.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-        octahedron.normals = octahedron.positions;
+        for (const auto& [x, y, z] : octahedron.positions) {  // that lean towards the light
+            const Vec3 n = normalize({x, y - 1.5, z});
+            octahedron.normals.push_back({static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)});
+        }
         octahedron.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
         add_shape(smooth, octahedron, white);
         // On one side of every face's plane, 0.7 away and more: Veach's factor 1/|wo·ng| has no second moment where

@@ -34,7 +34,7 @@ const Scene& box_scene();
 const Scene& rough_scene();
 /// A floor lit by a sphere light within a ball of glass and by a mirror, both out of the camera's sight.
 const Scene& caustic_scene();
-/// An octahedron with the normals of a sphere, alone with a rectangle that lights it.
+/// An octahedron with normals that lean towards a rectangle, which lights it, and nothing else.
 const Scene& smooth_normals_scene();
 /// Three plates that do not touch, one of which shines.
 const Scene& plates_scene();
