@@ -29,6 +29,16 @@ TEST(Emitters, ShineToOneSide) {
     EXPECT_FALSE(SphereLight({}, 1, white, SphereLight::Side::inwards).sample({2, 0, 0}, {0.3, 0.4}));
 }
 
+TEST(Emitters, LightTheSphereThatTheyAreFromAllOverIt) {
+    const SphereLight inwards({0.3, -2, 7}, 1.7, white, SphereLight::Side::inwards);
+    for (int i = 0; i < 200; ++i) {  // rounding puts half of these points outside
+        const Vec3 p =
+            Vec3{0.3, -2, 7} + normalize(Vec3{std::sin(1.0 * i), std::cos(2.0 * i), std::sin(3.0 * i)}) * 1.7;
+        EXPECT_TRUE(inwards.sample(p, {0.3, 0.4}));
+        EXPECT_DOUBLE_EQ(inwards.hit(p, normalize(Vec3{0.3, -2, 7} - p))->distance, 3.4);
+    }
+}
+
 TEST(Emitters, AreMetWhereTheyStand) {
     EXPECT_DOUBLE_EQ(ceiling.hit({0, 0, 0}, {0, 0, 1})->distance, 2);
     EXPECT_DOUBLE_EQ(SphereLight({0, 0, 5}, 1, white).hit({}, {0, 0, 1})->distance, 4);

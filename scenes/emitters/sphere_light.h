@@ -20,7 +20,7 @@ public:
 
     [[nodiscard]] std::optional<EmitterSample> sample(Vec3 from, const Point<2>& u) const {
         const Vec3 to_centre = centre_ - from;
-        const double d = length(to_centre);
+        const double d = to_distance(to_centre);
         if (!shines_at(d)) return {};
         const double cone = one_minus_cos(d);
         const Vec3 local = sample_uniform_cone(u, cone);
@@ -33,7 +33,7 @@ public:
     }
     [[nodiscard]] std::optional<EmitterHit> hit(Vec3 from, Vec3 direction) const {
         const Vec3 to_centre = centre_ - from;
-        const double d = length(to_centre);
+        const double d = to_distance(to_centre);
         if (!shines_at(d)) return {};
         const double cos = d > 0 ? dot(direction, to_centre) / d : 1;
         const double sin_squared = d > 0 ? length_squared(cross(direction, to_centre)) / (d * d) : 0;
@@ -55,6 +55,12 @@ private:
         SurfacePoint point = sphere_point(centre_, radius_, from_centre);
         if (side_ == Side::inwards) point.normal = -point.normal;
         return point;
+    }
+    /// Of a point on a sphere that shines inwards, rounding must not decide whether it is inside: whoever asks for a
+    /// density later may have come to the point another way.
+    [[nodiscard]] double to_distance(Vec3 to_centre) const {
+        const double d = length(to_centre);
+        return side_ == Side::inwards && d < radius_ * (1 + 1e-9) ? std::min(d, std::nextafter(radius_, 0)) : d;
     }
     [[nodiscard]] bool shines_at(double d) const { return side_ == Side::outwards ? d > radius_ : d < radius_; }
     /// Of the half angle under which the sphere is seen from d: sin² = (R/d)², and 1 − cos = sin²/(1 + cos).
