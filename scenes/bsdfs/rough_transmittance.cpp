@@ -7,9 +7,10 @@ namespace plumb {
 namespace {
 
 // ∫ F D G1(wo) G1(wi)/(4 wo.z) dwi over the upper hemisphere, by the midpoint rule over the visible normals.
+// Along the first axis normals tilt, and towards grazing light the integrand ends at the horizon: it needs the points.
 double reflected(const Microfacets& facets, double eta, double cosine) {
     const Vec3 wo{std::sqrt(1 - cosine * cosine), 0, cosine};
-    constexpr int along = 48, around = 48;
+    constexpr int along = 192, around = 16;
     double sum = 0;
     for (int i = 0; i < along; ++i)
         for (int j = 0; j < around; ++j) {

@@ -7,7 +7,7 @@ namespace plumb {
 
 /// A diffuse base under a rough dielectric coat, with all the light that the coat throws back onto the base
 /// [Mitsuba's roughplastic]. The coat lets in what it does not reflect, so that a white base loses nothing but its
-/// table's error, some 1e-3. Black below.
+/// table's error, less than 1e-3. Black below.
 struct RoughPlastic {
     /// The coat's table outlives the closure: one a material.
     RoughPlastic(const Spectrum& diffuse_reflectance, const RoughTransmittance& coat, bool nonlinear);

@@ -20,7 +20,8 @@ struct Subject {
     BsdfSubject bsdf;
     BsdfTraits traits;
 };
-using Subjects = std::function<std::vector<Subject>()>;  // made when a check runs: some need tables
+// Made when a check runs: some need tables.
+using Subjects = std::function<std::vector<Subject>(const Run&)>;
 using Property = std::function<Verdict(const Subject&, const Run&)>;
 using Defect = std::function<BsdfSubject(const Subject&)>;
 
@@ -246,7 +247,11 @@ std::vector<NamedDefect> discrete_defects() {
 
 // ---- defects of one model
 
-constexpr std::array roughnesses{1e-4, 0.05, 0.1, 0.3, 1.0};
+// In full all those of the shipped scenes are among them.
+std::vector<double> roughnesses(const Run& run) {
+    return run.pick<std::vector<double>>({1e-4, 0.05, 0.1, 0.3, 1},
+                                         {1e-4, 0.005, 0.02, 0.05, 0.08, 0.1, 0.15, 0.2, 0.3, 1});
+}
 
 double alpha_of(const Subject& s) {
     return s.traits.roughness;
@@ -325,24 +330,25 @@ Defect base_scaled(double factor) {
 
 // ---- the models
 
-std::vector<Subject> rough_conductors(MicrofacetShape shape) {
+std::vector<Subject> rough_conductors(MicrofacetShape shape, const Run& run) {
     std::vector<Subject> subjects;
-    for (const double alpha : roughnesses)
+    for (const double alpha : roughnesses(run))
         subjects.push_back({fmt::format("alpha {}", alpha), subject_of(metal(shape, alpha)), {alpha}});
     return subjects;
 }
 
-std::vector<Subject> rough_dielectrics(MicrofacetShape shape) {
+std::vector<Subject> rough_dielectrics(MicrofacetShape shape, const Run& run) {
     std::vector<Subject> subjects;
-    for (const double alpha : roughnesses)
+    for (const double alpha : roughnesses(run))
         subjects.push_back(
             {fmt::format("alpha {}", alpha), subject_of(RoughDielectric{{shape, alpha}, 1.5}), {alpha, 1.5}});
     return subjects;
 }
 
-std::vector<Subject> rough_plastics(MicrofacetShape shape) {
+std::vector<Subject> rough_plastics(MicrofacetShape shape, const Run& run) {
     std::vector<Subject> subjects;
-    for (const double alpha : {0.05, 0.1, 0.3, 1.0}) {
+    for (const double alpha : roughnesses(run)) {
+        if (alpha < 0.005) continue;  // a coat's table and its base's lobe need no sharper one
         const auto coat = std::make_shared<RoughTransmittance>(Microfacets{shape, alpha}, 1.5);
         BsdfSubject bsdf = subject_of(RoughPlastic(Spectrum::grey(1), *coat, true));
         bsdf.discrete = [coat](Vec3) { return 0.0; };  // which also keeps the table alive
@@ -353,9 +359,11 @@ std::vector<Subject> rough_plastics(MicrofacetShape shape) {
 
 std::vector<Model> models() {
     const auto one = [](const auto& bsdf, BsdfTraits traits) {
-        return [=] { return std::vector<Subject>{{"it", subject_of(bsdf), traits}}; };
+        return [=](const Run&) { return std::vector<Subject>{{"it", subject_of(bsdf), traits}}; };
     };
-    const auto shaped = [](auto make, MicrofacetShape shape) { return [=] { return make(shape); }; };
+    const auto shaped = [](auto make, MicrofacetShape shape) {
+        return [=](const Run& run) { return make(shape, run); };
+    };
     const std::vector<NamedDefect> refraction{
         {"eta-squared", "missing", "Refracted radiance is not scaled.", eta_squared_missing},
         {"eta-squared", "upside-down", "Refracted radiance scales by eta².", eta_squared_upside_down},
@@ -432,14 +440,14 @@ void add_bsdf_model_claims(Catalogue& catalogue) {
                         .source = model.source,
                         .kind = property.kind,
                         .check = [subjects = model.subjects, check = property.check](const Run& run) {
-                            return on_all(subjects(), check, run);
+                            return on_all(subjects(run), check, run);
                         }};
             for (const NamedDefect& defect : model.defects)
                 if (defect.property == property.id)
                     claim.mutants.push_back(
                         {defect.id, defect.sentence,
                          [subjects = model.subjects, check = property.check, apply = defect.apply](const Run& run) {
-                             std::vector<Subject> all = subjects();
+                             std::vector<Subject> all = subjects(run);
                              Subject subject = all[all.size() / 2];
                              subject.bsdf = apply(subject);
                              return on_all({subject}, check, run);
