@@ -75,8 +75,7 @@ void subtract(double variance, Series& series) {
 
 bool names_scene(const std::string& on) {
     const std::string scene = parse_place(on).scene;
-    return std::filesystem::exists(scene) ||
-           std::ranges::any_of(shipped_scenes(), [&](const ShippedScene& s) { return s.name == scene; });
+    return std::filesystem::exists(scene) || std::ranges::count(shipped_scene_names(), scene) > 0;
 }
 
 void check_scene_methods(const std::vector<std::string>& estimators) {

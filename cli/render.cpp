@@ -40,10 +40,11 @@ FilmRegion crop_of(const std::vector<int>& crop, FilmSize film) {
 }
 
 // What the picture is a function of: no dates, no seconds, so that the same seed gives the same file.
-std::map<std::string, std::string> metadata(const RenderOptions& options, const RenderSettings& settings,
-                                            const Scene& scene, const Film& film, const RunInfo& info) {
+std::map<std::string, std::string> metadata(const RenderOptions& options, const fs::path& file,
+                                            const RenderSettings& settings, const Scene& scene, const Film& film,
+                                            const RunInfo& info) {
     const FilmRegion& crop = settings.crop;
-    return {{"plumb:scene", name_of(scene_file(options.scene))},
+    return {{"plumb:scene", name_of(file)},
             {"plumb:scene_hash", fmt::format("{:016x}", scene.description().content_hash)},
             {"plumb:integrator", options.integrator},
             {"plumb:sampler", settings.sampler},
@@ -138,7 +139,7 @@ int render(const RenderOptions& options) {
         info.seconds = watch.seconds();
     }
     Image image = rendered->film.image();
-    image.metadata = metadata(options, settings, scene, rendered->film, info);
+    image.metadata = metadata(options, file, settings, scene, rendered->film, info);
     if (out.has_parent_path()) fs::create_directories(out.parent_path());
     write_image(out, fit_for(out, image));
     const std::vector<ListRow> record{side_record(*rendered, info)};

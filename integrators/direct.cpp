@@ -4,7 +4,8 @@
 
 namespace plumb {
 
-void Direct::trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, PathRecord& record) const {
+void trace_two_edges(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, PathRecord& record,
+                     const ReflectedLight& reflected) {
     record.clear();
     const CameraStart start = start_at_camera(scene, region, samples);
     const auto vertex = trace_to_vertex(scene, start.ray, 1, samples, record);
@@ -14,12 +15,19 @@ void Direct::trace(const Scene& scene, const FilmRegion& region, PrimarySamples&
     }
     record.vertices.push_back(*vertex);
     record.splats.push_back({start.film, scene.emitted(vertex->hit, vertex->wo), 1});
-    Spectrum reflected;
-    if (used != LightTechniques::bsdf)
-        reflected += light_from_emitters(scene, *vertex, 1, used, next_event, samples, record);
-    if (used != LightTechniques::emitters)
-        reflected += light_from_bsdf(scene, *vertex, 1, used, next_event, samples, record);
-    record.splats.push_back({start.film, reflected, 2});
+    record.splats.push_back({start.film, reflected(scene, *vertex, samples, record), 2});
+}
+
+void Direct::trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, PathRecord& record) const {
+    trace_two_edges(scene, region, samples, record,
+                    [this](const Scene& in, const PathVertex& vertex, PrimarySamples& numbers, PathRecord& rays) {
+                        Spectrum sum;
+                        if (used != LightTechniques::bsdf)
+                            sum += light_from_emitters(in, vertex, 1, used, next_event, numbers, rays);
+                        if (used != LightTechniques::emitters)
+                            sum += light_from_bsdf(in, vertex, 1, used, next_event, numbers, rays);
+                        return sum;
+                    });
 }
 
 }  // namespace plumb

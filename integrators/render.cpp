@@ -140,7 +140,7 @@ Rendered render(const Scene& scene, const PathEstimator& estimator, const Render
     const std::vector<FilmRegion> tiles = tiles_of(settings.crop);
     const FilmSize size{settings.crop.width, settings.crop.height};
     Rendered result{Film(size, render_layers())};
-    RenderProgress progress{0, tiles.size() * settings.passes, false};
+    RenderProgress progress{0, tiles.size() * settings.passes};
     std::mutex mutex;
     for (std::uint32_t pass = 0; pass < settings.passes; ++pass) {
         Pass image(scene, estimator, settings, pass);
@@ -150,7 +150,6 @@ Rendered render(const Scene& scene, const PathEstimator& estimator, const Render
             const std::lock_guard lock(mutex);
             result.rays += rays;
             ++progress.done;
-            progress.pass_ends = progress.done % tiles.size() == 0;
             if (go_on) more = go_on(progress);
         });
         result.film.add(image.pixels());

@@ -31,7 +31,6 @@ struct Rendered {
 /// How far a render is: tiles done, of all those of all passes.
 struct RenderProgress {
     std::uint64_t done, total;
-    bool pass_ends;  ///< the picture of all passes so far may be taken as it is
 };
 
 /// Layers of a render: radiance, then what the camera sees first (albedo, normal, depth), by the same samples.

@@ -22,18 +22,24 @@ fs::path shipped_folder() {
 
 }  // namespace
 
-std::vector<ShippedScene> shipped_scenes() {
+std::vector<std::string> shipped_scene_names() {
     const fs::path folder = shipped_folder();
     if (!fs::is_directory(folder)) throw Error(fmt::format("{}: no folder of shipped scenes", folder.string()));
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (fs::exists(entry.path() / "scene.xml") && fs::exists(entry.path() / "expected.json"))
+            names.push_back(entry.path().filename().string());
+    std::ranges::sort(names);
+    return names;
+}
+
+std::vector<ShippedScene> shipped_scenes() {
     std::vector<ShippedScene> scenes;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        ShippedScene scene{
-            .name = entry.path().filename().string(), .question = {}, .file = entry.path() / "scene.xml"};
-        if (!fs::exists(scene.file) || !fs::exists(scene.expected())) continue;
+    for (const std::string& name : shipped_scene_names()) {
+        ShippedScene scene{.name = name, .question = {}, .file = shipped_folder() / name / "scene.xml"};
         scene.question = known_radiances(scene.expected()).question;
         scenes.push_back(std::move(scene));
     }
-    std::ranges::sort(scenes, {}, &ShippedScene::name);
     return scenes;
 }
 
@@ -42,12 +48,9 @@ fs::path scene_file(const std::string& name_or_path) {
     if (fs::is_regular_file(path)) return path;
     if (path.has_extension() || path.has_parent_path())
         throw Error(fmt::format("there is no scene file {}", name_or_path));
-    std::vector<std::string> known;
-    for (const ShippedScene& scene : shipped_scenes()) {
-        if (scene.name == name_or_path) return scene.file;
-        known.push_back(scene.name);
-    }
-    throw unknown_name("scene", name_or_path, known);
+    const std::vector<std::string> known = shipped_scene_names();
+    if (std::ranges::find(known, name_or_path) == known.end()) throw unknown_name("scene", name_or_path, known);
+    return shipped_folder() / name_or_path / "scene.xml";
 }
 
 }  // namespace plumb

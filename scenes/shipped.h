@@ -18,6 +18,9 @@ struct ShippedScene {
 /// By name: of an installed program those in its ../share/plumb/scenes, else those of the sources it was built from.
 std::vector<ShippedScene> shipped_scenes();
 
+/// The same, by name alone: reads no file.
+std::vector<std::string> shipped_scene_names();
+
 /// The file of this path if there is one, else that of the shipped scene of this name. Throws Error naming the nearest.
 std::filesystem::path scene_file(const std::string& name_or_path);
 

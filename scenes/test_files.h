@@ -7,20 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "core/test_folder.h"
 
 namespace plumb::testing_files {
 
-/// A folder of its own for a test's input files, removed at the end.
+/// A test with a folder for its input files.
 class Folder : public testing::Test {
 protected:
-    void SetUp() override {
-        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        path_ = std::filesystem::temp_directory_path() /
-                (std::string("plumb_") + info->test_suite_name() + "_" + info->name() + "_" + std::to_string(getpid()));
-        std::filesystem::create_directories(path_);
-    }
-    void TearDown() override { std::filesystem::remove_all(path_); }
-
     std::filesystem::path write(const std::string& name, const std::string& text) const {
         std::ofstream(path_ / name, std::ios::binary) << text;
         return path_ / name;
@@ -41,7 +34,8 @@ protected:
         return "nothing";
     }
 
-    std::filesystem::path path_;
+    TestFolder folder_;
+    const std::filesystem::path& path_ = folder_.path();
 };
 
 }  // namespace plumb::testing_files

@@ -86,6 +86,17 @@ double cosine(Vec3 w) {
     return std::abs(w.z);
 }
 
+/// The model with a change to every sample that it makes.
+BsdfSubject with_samples(const Subject& s, const std::function<void(BsdfSample&, Vec3 wo, Transport)>& change) {
+    BsdfSubject bad = s.bsdf;
+    bad.sample = [=, right = s.bsdf.sample](Vec3 wo, const U& u, Transport t) {
+        auto sample = right(wo, u, t);
+        if (sample) change(*sample, wo, t);
+        return sample;
+    };
+    return bad;
+}
+
 BsdfSubject squeezed_direction(const Subject& s) {
     BsdfSubject bad = s.bsdf;
     bad.sample = [right = s.bsdf.sample](Vec3 wo, const U& u, Transport t) {
@@ -120,17 +131,13 @@ BsdfSubject eval_swapped(const Subject& s) {
 
 // Radiance and importance weights and values, each times a factor of the sides: eta is that of the crossing.
 BsdfSubject scaled(const Subject& s, const std::function<double(double eta, bool crosses, Transport)>& factor) {
-    BsdfSubject bad = s.bsdf;
     const double index = s.traits.eta;
     const auto of = [=](Vec3 wo, Vec3 wi, Transport t) {
         return factor(wo.z > 0 ? index : 1 / index, !same_side(wo, wi), t);
     };
+    BsdfSubject bad =
+        with_samples(s, [=](BsdfSample& sample, Vec3 wo, Transport t) { sample.weight *= of(wo, sample.wi, t); });
     bad.eval = [=, right = s.bsdf.eval](Vec3 wo, Vec3 wi, Transport t) { return right(wo, wi, t) * of(wo, wi, t); };
-    bad.sample = [=, right = s.bsdf.sample](Vec3 wo, const U& u, Transport t) {
-        auto sample = right(wo, u, t);
-        if (sample) sample->weight *= of(wo, sample->wi, t);
-        return sample;
-    };
     return bad;
 }
 
@@ -168,13 +175,7 @@ BsdfSubject reflection_scaled_as_if_refracted(const Subject& s) {
 }
 
 BsdfSubject weight_without_share(const Subject& s) {
-    BsdfSubject bad = s.bsdf;
-    bad.sample = [right = s.bsdf.sample](Vec3 wo, const U& u, Transport t) {
-        auto sample = right(wo, u, t);
-        if (sample) sample->weight *= 0.5;
-        return sample;
-    };
-    return bad;
+    return with_samples(s, [](BsdfSample& sample, Vec3, Transport) { sample.weight *= 0.5; });
 }
 
 BsdfSubject discrete_everywhere(const Subject& s) {
@@ -184,13 +185,7 @@ BsdfSubject discrete_everywhere(const Subject& s) {
 }
 
 BsdfSubject half_the_probability(const Subject& s) {
-    BsdfSubject bad = s.bsdf;
-    bad.sample = [right = s.bsdf.sample](Vec3 wo, const U& u, Transport t) {
-        auto sample = right(wo, u, t);
-        if (sample) sample->pdf *= 0.5;
-        return sample;
-    };
-    return bad;
+    return with_samples(s, [](BsdfSample& sample, Vec3, Transport) { sample.pdf *= 0.5; });
 }
 
 BsdfSubject half_the_pdf(const Subject& s) {
@@ -310,13 +305,7 @@ BsdfSubject refraction_jacobian_without_eta(const Subject& s) {
 }
 
 BsdfSubject not_turned_back(const Subject& s) {
-    BsdfSubject bad = s.bsdf;
-    bad.sample = [right = s.bsdf.sample](Vec3 wo, const U& u, Transport t) {
-        auto sample = right(wo, u, t);
-        if (sample) sample->wi.z = std::abs(sample->wi.z);
-        return sample;
-    };
-    return bad;
+    return with_samples(s, [](BsdfSample& sample, Vec3, Transport) { sample.wi.z = std::abs(sample.wi.z); });
 }
 
 // A plastic whose base returns a share of what it should: all but the mirror, which is discrete.

@@ -2,7 +2,6 @@
 
 #include "estimators/point_set_samples.h"
 #include "estimators/zero_two.h"
-#include "integrators/camera_path.h"
 
 namespace plumb {
 
@@ -34,16 +33,7 @@ Spectrum Measurement::draw(RandomStream& random) const {
 }
 
 void DirectBy::trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, PathRecord& record) const {
-    record.clear();
-    const CameraStart start = start_at_camera(scene, region, samples);
-    const auto vertex = trace_to_vertex(scene, start.ray, 1, samples, record);
-    if (!vertex) {
-        record.splats.push_back({start.film, scene.environment(start.ray), 1});
-        return;
-    }
-    record.vertices.push_back(*vertex);
-    record.splats.push_back({start.film, scene.emitted(vertex->hit, vertex->wo), 1});
-    record.splats.push_back({start.film, reflected(scene, *vertex, samples, record), 2});
+    trace_two_edges(scene, region, samples, record, reflected);
 }
 
 std::unique_ptr<PathEstimator> direct_by(LightTechniques used, const NextEvent& for_emitters,

@@ -38,13 +38,10 @@ struct Measurement {
     [[nodiscard]] Spectrum draw(RandomStream& random) const;
 };
 
-/// What a vertex reflects, by parts of the library or by others in their place.
-using Reflected = std::function<Spectrum(const Scene&, const PathVertex&, PrimarySamples&, PathRecord&)>;
-
 /// Direct illumination, as integrators/direct.cpp, whose reflected light is given.
 struct DirectBy final : PathEstimator {
-    Reflected reflected;
-    explicit DirectBy(Reflected r) : reflected(std::move(r)) {}
+    ReflectedLight reflected;  ///< by parts of the library, or by others in their place
+    explicit DirectBy(ReflectedLight r) : reflected(std::move(r)) {}
     void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
                PathRecord& record) const override;
 };
