@@ -49,20 +49,33 @@ struct PrimarySamples {
     }
 };
 
-/// Independent uniform numbers: a pure function of the key and the slot.
+/// Independent uniform numbers: a pure function of the key and the slot. Two slots share a block of random bits, and
+/// uses that are asked for together stand side by side (light and light_point, lobe and direction): most blocks are
+/// computed once for both.
 class IndependentSamples final : public PrimarySamples {
 public:
-    explicit IndependentSamples(const PathKey& key = {}) : key_(key) {}
+    explicit IndependentSamples(const PathKey& key = {}) { start(key); }
     /// The path whose numbers at() gives from now on.
-    void start(const PathKey& key) { key_ = key; }
+    void start(const PathKey& key) {
+        key_ = key;
+        pair_ = none;
+    }
     Drawn at(Slot slot) override {
-        const std::uint64_t path = static_cast<std::uint64_t>(key_.pixel) << 32 | key_.sample;
-        RandomStream random(key_.seed, path, slot_index(slot));
-        return {{random.uniform(), random.uniform()}};
+        const std::uint64_t index = slot_index(slot);
+        if (index / 2 != pair_) {
+            const std::uint64_t path = static_cast<std::uint64_t>(key_.pixel) << 32 | key_.sample;
+            RandomStream random(key_.seed, path, pair_ = index / 2);
+            for (double& number : numbers_) number = random.uniform();
+        }
+        const std::size_t first = 2 * (index % 2);
+        return {{numbers_[first], numbers_[first + 1]}};
     }
 
 private:
+    static constexpr std::uint64_t none = ~std::uint64_t{0};
     PathKey key_;
+    std::uint64_t pair_ = none;  // of slots, whose numbers are known
+    std::array<double, 4> numbers_{};
 };
 
 }  // namespace plumb

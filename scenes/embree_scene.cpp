@@ -169,18 +169,19 @@ std::optional<Hit> EmbreeScene::intersect(const Ray& ray) const {
     found.ray = narrowed(ray);
     found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(state_->scene.get(), &context, &found);
-    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    std::optional<Hit> hit;
+    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
     const Shape& shape = state_->shapes[found.hit.geomID];
-    Hit hit;
+    hit.emplace();
     if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry)) {
-        hit = mesh_hit(*mesh, found.hit.primID, found.hit.u, found.hit.v);
-        hit.t = found.ray.tfar;
+        set_mesh_hit(*hit, *mesh, found.hit.primID, found.hit.u, found.hit.v);
+        hit->t = found.ray.tfar;
     } else {
         const double t = intersect_analytic(shape, ray).value_or(found.ray.tfar);
         const Sphere* sphere = std::get_if<Sphere>(&shape.geometry);
         hit = sphere ? sphere_hit(*sphere, ray, t) : disk_hit(std::get<Disk>(shape.geometry), ray, t);
     }
-    hit.shape = found.hit.geomID;
+    hit->shape = found.hit.geomID;
     return hit;
 }
 

@@ -38,11 +38,15 @@ Scene::Scene(description::Scene description)
 }
 
 std::optional<Hit> Scene::intersect(const Ray& ray, double u, RayLog& log) const {
+    if (!has_masks_) {
+        log.add(ray, false);
+        return embree_.intersect(ray);
+    }
     Ray rest = ray;
     for (;;) {
         log.add(rest, false);
         std::optional<Hit> hit = embree_.intersect(rest);
-        if (!hit || !has_masks_) return hit;
+        if (!hit) return hit;
         const double stops = opacity(*hit);
         if (u < stops) {
             hit->t = length(hit->point.position - ray.origin) / length(ray.direction);

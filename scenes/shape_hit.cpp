@@ -52,23 +52,22 @@ std::optional<double> intersect(const Disk& disk, const Ray& ray) {
     return {};
 }
 
-Hit mesh_hit(const Mesh& mesh, std::uint32_t triangle, double u, double v) {
+void set_mesh_hit(Hit& hit, const Mesh& mesh, std::uint32_t triangle, double u, double v) {
     const auto& [i, j, k] = mesh.triangles[triangle];
-    Hit hit{.primitive = triangle, .barycentric = {u, v}, .point = {}, .shading_normal = {}, .uv = {u, v}};
-    hit.point = triangle_point(mesh.corners(triangle), u, v);
-    if (mesh.turned_by_normals(triangle)) hit.point.normal = -hit.point.normal;
+    hit.primitive = triangle;
+    hit.barycentric = {u, v};
+    hit.point = triangle_point(Facet(mesh.corners(triangle)), u, v);
     hit.shading_normal = hit.point.normal;
     if (!mesh.normals.empty()) {
+        if (mesh.turned_by_normals(triangle)) hit.shading_normal = hit.point.normal = -hit.point.normal;
         const Vec3 n =
             widened(mesh.normals[i]) * (1 - u - v) + widened(mesh.normals[j]) * u + widened(mesh.normals[k]) * v;
         if (length_squared(n) > 0) hit.shading_normal = normalize(n);
     }
-    if (!mesh.uvs.empty()) {
-        for (std::size_t a = 0; a < 2; ++a) {
-            hit.uv[a] = mesh.uvs[i][a] * (1 - u - v) + mesh.uvs[j][a] * u + mesh.uvs[k][a] * v;
-        }
-    }
-    return hit;
+    hit.uv = {u, v};
+    if (mesh.uvs.empty()) return;
+    for (std::size_t a = 0; a < 2; ++a)
+        hit.uv[a] = mesh.uvs[i][a] * (1 - u - v) + mesh.uvs[j][a] * u + mesh.uvs[k][a] * v;
 }
 
 Hit sphere_hit(const Sphere& sphere, const Ray& ray, double t) {

@@ -25,8 +25,9 @@ std::optional<double> intersect(const description::Sphere& sphere, const Ray& ra
 std::optional<double> intersect(const description::Disk& disk, const Ray& ray);
 
 /// The surface where a ray met it; `shape` is left at 0. Parameters as Mitsuba's: of a mesh its uvs or else (u, v), of
-/// a sphere (azimuth, polar angle) and of a disk (radius, azimuth), scaled to [0, 1].
-Hit mesh_hit(const Mesh& mesh, std::uint32_t triangle, double u, double v);
+/// a sphere (azimuth, polar angle) and of a disk (radius, azimuth), scaled to [0, 1]. All of it is written in place: a
+/// hit is long, and is made for every ray.
+void set_mesh_hit(Hit& hit, const Mesh& mesh, std::uint32_t triangle, double u, double v);
 Hit sphere_hit(const description::Sphere& sphere, const Ray& ray, double t);
 Hit disk_hit(const description::Disk& disk, const Ray& ray, double t);
 

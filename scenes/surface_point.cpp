@@ -34,29 +34,35 @@ Vec3 float_rounding(Vec3 p) {
     return absolute(p) * (0x1p-24 * (1 + 0x1p-10)) + Vec3{0x1p-150, 0x1p-150, 0x1p-150};
 }
 
-SurfacePoint triangle_point(const std::array<Vec3, 3>& vertices, double u, double v) {
+Facet::Facet(const std::array<Vec3, 3>& corners) : vertices(corners) {
     const auto& [a, b, c] = vertices;
-    const Vec3 twice_area = cross(b - a, c - a);
-    const double doubled = length(twice_area);
-    const std::array<double, 3> squares{length_squared(c - b), length_squared(c - a), length_squared(b - a)};
-    const double longest = std::sqrt(std::max({squares[0], squares[1], squares[2]}));
-    const auto at = [&](double p, double q, double r) { return a * p + b * q + c * r; };
+    const Vec3 product = cross(b - a, c - a);
+    twice_area = length(product);
+    normal = product / twice_area;
+    sides_squared = {length_squared(c - b), length_squared(c - a), length_squared(b - a)};
+    longest = std::sqrt(std::max({sides_squared[0], sides_squared[1], sides_squared[2]}));
+    // Embree's normal is a cross product of edges in floats, wrong by a few 2^-24 longest²; a plane test multiplies it
+    // by a distance within the triangle.
+    margin = 0x1p-21 * longest * std::min(longest * longest / twice_area, 0x1p10);
+}
+
+SurfacePoint triangle_point(const Facet& facet, double u, double v) {
+    const auto at = [&](double p, double q, double r) {
+        return facet.vertices[0] * p + facet.vertices[1] * q + facet.vertices[2] * r;
+    };
     // Embree hands out barycentric coordinates a rounding outside the triangle.
     u = std::clamp(u, 0.0, 1.0);
     v = std::clamp(v, 0.0, 1 - u);
-    SurfacePoint point{.position = at(1 - u - v, u, v), .normal = twice_area / doubled, .inset = {}, .margin = 0};
-    // Embree's normal is a cross product of edges in floats, wrong by a few 2^-24 longest²; a plane test multiplies it
-    // by a distance within the triangle.
-    point.margin = 0x1p-21 * longest * std::min(longest * longest / doubled, 0x1p10);
+    SurfacePoint point{at(1 - u - v, u, v), facet.normal, {}, facet.margin};
     // Twice, because going along the normal comes nearer to a neighbour at an acute angle: where two faces meet at θ,
     // cot(θ/2) times would do, so 2 serves down to θ = 53°.
-    const double away = 2 * (length(float_rounding(point.position)) + point.margin);
+    const double away = 2 * (length(float_rounding(point.position)) + facet.margin);
     // A coordinate is the distance from its edge, times side over twice the area.
-    const double per_length = away / doubled;
+    const double per_length = away / facet.twice_area;
     point.inset = point.position;
-    if (std::min({1 - u - v, u, v}) >= per_length * longest) return point;
+    if (std::min({1 - u - v, u, v}) >= per_length * facet.longest) return point;
     std::array<double, 3> floor;
-    for (std::size_t i = 0; i < 3; ++i) floor[i] = per_length * std::sqrt(squares[i]);
+    for (std::size_t i = 0; i < 3; ++i) floor[i] = per_length * std::sqrt(facet.sides_squared[i]);
     const std::array<double, 3> inset = raised({1 - u - v, u, v}, floor);
     point.inset = at(inset[0], inset[1], inset[2]);
     return point;

@@ -30,8 +30,19 @@ struct SurfacePoint {
 /// Half a unit in the last place of a float of each coordinate, at most.
 Vec3 float_rounding(Vec3 p);
 
-/// v0 (1−u−v) + v1 u + v2 v of a proper triangle; its normal by the vertices' order.
-SurfacePoint triangle_point(const std::array<Vec3, 3>& vertices, double u, double v);
+/// A proper triangle with what all its points share.
+struct Facet {
+    std::array<Vec3, 3> vertices;
+    Vec3 normal;                          ///< unit, by the vertices' order
+    double twice_area, longest;           ///< longest: its longest side
+    std::array<double, 3> sides_squared;  ///< of the side that faces each vertex
+    double margin;                        ///< of its points
+
+    explicit Facet(const std::array<Vec3, 3>& corners);
+};
+
+/// v0 (1−u−v) + v1 u + v2 v.
+SurfacePoint triangle_point(const Facet& facet, double u, double v);
 /// The point of the sphere towards the unit direction; its normal is that direction.
 SurfacePoint sphere_point(Vec3 center, double radius, Vec3 direction);
 /// A point of a disk with this normal.

@@ -41,9 +41,11 @@ inline Point<2> invert_polar_disk(const Point<2>& p) {
 inline Point<2> sample_concentric_disk(const Point<2>& u) {
     const double a = 2 * u[0] - 1, b = 2 * u[1] - 1;
     if (a == 0 && b == 0) return {0, 0};
+    // From the nearer axis, |phi| ≤ π/4; what follows from `wide`, a coin toss, is chosen without a branch.
     const bool wide = std::abs(a) > std::abs(b);
-    const double r = wide ? a : b, phi = wide ? pi / 4 * (b / a) : pi / 2 - pi / 4 * (a / b);
-    return {r * std::cos(phi), r * std::sin(phi)};
+    const double r = wide ? a : b, phi = pi / 4 * ((wide ? b : a) / r);
+    const double along = r * std::cos(phi), across = r * std::sin(phi);
+    return {wide ? along : across, wide ? across : along};
 }
 inline double concentric_disk_pdf(const Point<2>& p) {
     return polar_disk_pdf(p);

@@ -51,7 +51,7 @@ private:
         const std::size_t i = std::min(static_cast<std::size_t>(place), triangles_.size() - 1);
         const auto [b1, b2] = sample_uniform_triangle({place - static_cast<double>(i), u[1]});
         const auto& [a, b, c] = triangles_[i];
-        return triangle_point({a, b, c}, b1, b2);
+        return triangle_point(Facet({a, b, c}), b1, b2);
     }
 
     static std::vector<double> areas(std::span<const Triangle> triangles) {

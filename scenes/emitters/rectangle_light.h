@@ -10,7 +10,12 @@ namespace plumb {
 class RectangleLight {
 public:
     RectangleLight(Vec3 corner, Vec3 edge_1, Vec3 edge_2, const Spectrum& radiance)
-        : corner_(corner), edge_1_(edge_1), edge_2_(edge_2), radiance_(radiance) {
+        : corner_(corner),
+          edge_1_(edge_1),
+          edge_2_(edge_2),
+          halves_{Facet({corner, corner + edge_1, corner + edge_1 + edge_2}),
+                  Facet({corner, corner + edge_1 + edge_2, corner + edge_2})},
+          radiance_(radiance) {
         const Vec3 product = cross(edge_1, edge_2);
         area_ = length(product);
         if (!(area_ > 0 && std::isfinite(area_)))
@@ -39,15 +44,13 @@ public:
     [[nodiscard]] Spectrum power(double) const { return lambertian_power(radiance_, area_); }
 
 private:
-    /// Rays meet it as two triangles, whose common side leaves the corner.
     [[nodiscard]] SurfacePoint at(const Point<2>& u) const {
         const auto& [s, t] = u;
-        const Vec3 opposite = corner_ + edge_1_ + edge_2_;
-        return s >= t ? triangle_point({corner_, corner_ + edge_1_, opposite}, s - t, t)
-                      : triangle_point({corner_, opposite, corner_ + edge_2_}, s, t - s);
+        return s >= t ? triangle_point(halves_[0], s - t, t) : triangle_point(halves_[1], s, t - s);
     }
 
     Vec3 corner_, edge_1_, edge_2_, normal_;
+    std::array<Facet, 2> halves_;  // as rays meet it: two triangles, whose common side leaves the corner
     Spectrum radiance_;
     double area_;
 };

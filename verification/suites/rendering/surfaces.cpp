@@ -143,7 +143,7 @@ SurfacePoint beside_edge(const Mesh& mesh, std::uint32_t primitive, RandomStream
     b[edge] = reach * random.uniform();
     b[(edge + 1) % 3] = random.uniform() < 0.5 ? reach * random.uniform() : (1 - b[edge]) * random.uniform();
     b[(edge + 2) % 3] = 1 - b[edge] - b[(edge + 1) % 3];
-    return triangle_point(corners, b[1], b[2]);
+    return triangle_point(Facet(corners), b[1], b[2]);
 }
 
 /// Within 1/16 radian of the direction of any edge: docs/scenes.md says why Embree may lose such a ray beside it.
