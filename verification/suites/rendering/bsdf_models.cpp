@@ -4,9 +4,9 @@
 #include <memory>
 #include <numbers>
 
-#include "checks/check_bsdf.h"
 #include "scenes/bsdf.h"
 #include "scenes/bsdfs/fresnel.h"
+#include "verification/suites/rendering/bsdf_defects.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {
@@ -15,20 +15,10 @@ namespace {
 using checks::BsdfSubject, checks::BsdfTraits, checks::subject_of;
 using U = std::array<double, 3>;
 
-struct Subject {
-    std::string name;
-    BsdfSubject bsdf;
-    BsdfTraits traits;
-};
+using Subject = SurfaceSubject;
 // Made when a check runs: some need tables.
 using Subjects = std::function<std::vector<Subject>(const Run&)>;
 using Property = std::function<Verdict(const Subject&, const Run&)>;
-using Defect = std::function<BsdfSubject(const Subject&)>;
-
-struct NamedDefect {
-    std::string property, id, sentence;
-    Defect apply;
-};
 
 struct Model {
     std::string id, title, source;
@@ -80,164 +70,9 @@ Verdict on_all(const std::vector<Subject>& subjects, const Property& check, cons
     return all_of(std::move(verdicts));
 }
 
-// ---- defects that any model can have
-
-double cosine(Vec3 w) {
-    return std::abs(w.z);
-}
-
-/// The model with a change to every sample that it makes.
-BsdfSubject with_samples(const Subject& s, const std::function<void(BsdfSample&, Vec3 wo, Transport)>& change) {
-    BsdfSubject bad = s.bsdf;
-    bad.sample = [=, right = s.bsdf.sample](Vec3 wo, const U& u, Transport t) {
-        auto sample = right(wo, u, t);
-        if (sample) change(*sample, wo, t);
-        return sample;
-    };
-    return bad;
-}
-
-BsdfSubject squeezed_direction(const Subject& s) {
-    BsdfSubject bad = s.bsdf;
-    bad.sample = [right = s.bsdf.sample](Vec3 wo, const U& u, Transport t) {
-        return right(wo, {u[0], std::pow(u[1], 1.1), u[2]}, t);
-    };
-    return bad;
-}
-
-BsdfSubject pdf_without_cosine(const Subject& s) {
-    BsdfSubject bad = s.bsdf;
-    bad.pdf = [right = s.bsdf.pdf](Vec3 wo, Vec3 wi) { return wi.z == 0 ? 0 : right(wo, wi) / cosine(wi); };
-    return bad;
-}
-
-BsdfSubject eval_without_cosine(const Subject& s) {
-    BsdfSubject bad = s.bsdf;
-    bad.eval = [right = s.bsdf.eval](Vec3 wo, Vec3 wi, Transport t) { return right(wo, wi, t) / cosine(wi); };
-    return bad;
-}
-
-BsdfSubject eval_with_cosine_twice(const Subject& s) {
-    BsdfSubject bad = s.bsdf;
-    bad.eval = [right = s.bsdf.eval](Vec3 wo, Vec3 wi, Transport t) { return right(wo, wi, t) * cosine(wi); };
-    return bad;
-}
-
-BsdfSubject eval_swapped(const Subject& s) {
-    BsdfSubject bad = s.bsdf;
-    bad.eval = [right = s.bsdf.eval](Vec3 wo, Vec3 wi, Transport t) { return right(wi, wo, t); };
-    return bad;
-}
-
-// Radiance and importance weights and values, each times a factor of the sides: eta is that of the crossing.
-BsdfSubject scaled(const Subject& s, const std::function<double(double eta, bool crosses, Transport)>& factor) {
-    const double index = s.traits.eta;
-    const auto of = [=](Vec3 wo, Vec3 wi, Transport t) {
-        return factor(wo.z > 0 ? index : 1 / index, !same_side(wo, wi), t);
-    };
-    BsdfSubject bad =
-        with_samples(s, [=](BsdfSample& sample, Vec3 wo, Transport t) { sample.weight *= of(wo, sample.wi, t); });
-    bad.eval = [=, right = s.bsdf.eval](Vec3 wo, Vec3 wi, Transport t) { return right(wo, wi, t) * of(wo, wi, t); };
-    return bad;
-}
-
-Defect brighter(double factor) {
-    return [=](const Subject& s) { return scaled(s, [=](double, bool, Transport) { return factor; }); };
-}
-
-BsdfSubject eta_squared_missing(const Subject& s) {
-    return scaled(
-        s, [](double eta, bool crosses, Transport t) { return crosses && t == Transport::radiance ? eta * eta : 1; });
-}
-
-BsdfSubject eta_squared_on_both_sides(const Subject& s) {
-    return scaled(s, [](double eta, bool crosses, Transport t) {
-        return crosses && t == Transport::importance ? 1 / (eta * eta) : 1;
-    });
-}
-
-BsdfSubject eta_squared_upside_down(const Subject& s) {
-    return scaled(s, [](double eta, bool crosses, Transport t) {
-        return crosses && t == Transport::radiance ? std::pow(eta, 4) : 1;
-    });
-}
-
-BsdfSubject transmission_doubled(const Subject& s) {
-    BsdfSubject bad = s.bsdf;
-    bad.eval = [right = s.bsdf.eval](Vec3 wo, Vec3 wi, Transport t) {
-        return right(wo, wi, t) * (same_side(wo, wi) ? 1 : 2);
-    };
-    return bad;
-}
-
-BsdfSubject reflection_scaled_as_if_refracted(const Subject& s) {
-    return scaled(s, [](double, bool, Transport t) { return t == Transport::radiance ? 1 / 2.25 : 1; });
-}
-
-BsdfSubject weight_without_share(const Subject& s) {
-    return with_samples(s, [](BsdfSample& sample, Vec3, Transport) { sample.weight *= 0.5; });
-}
-
-BsdfSubject discrete_everywhere(const Subject& s) {
-    BsdfSubject bad = s.bsdf;
-    bad.discrete = [right = s.bsdf.discrete](Vec3 wo) { return 0.5 * right(wo) + 0.25; };
-    return bad;
-}
-
-BsdfSubject half_the_probability(const Subject& s) {
-    return with_samples(s, [](BsdfSample& sample, Vec3, Transport) { sample.pdf *= 0.5; });
-}
-
-BsdfSubject half_the_pdf(const Subject& s) {
-    BsdfSubject bad = s.bsdf;
-    bad.pdf = [right = s.bsdf.pdf](Vec3 wo, Vec3 wi) { return right(wo, wi) / 2; };
-    return bad;
-}
-
-BsdfSubject chosen_too_often(const Subject& s) {
-    BsdfSubject bad = s.bsdf;
-    bad.sample = [right = s.bsdf.sample](Vec3 wo, const U& u, Transport t) {
-        return right(wo, {std::pow(u[0], 1.1), u[1], u[2]}, t);
-    };
-    return bad;
-}
-
-std::vector<NamedDefect> common_defects(double energy_factor) {
-    return {
-        {"sample", "squeezed", "Directions take u^1.1 for u.", squeezed_direction},
-        {"pdf", "no-cosine", "The density lacks its cosine.", pdf_without_cosine},
-        {"weight", "no-cosine", "The value lacks its cosine.", eval_without_cosine},
-        {"mass", "no-cosine", "The density lacks its cosine.", pdf_without_cosine},
-        {"reciprocity", "cosine-twice", "The value has its cosine twice.", eval_with_cosine_twice},
-        {"eta-squared", "scaled-reflection", "Reflected radiance is scaled as if refracted.",
-         reflection_scaled_as_if_refracted},
-        {"energy", "too-bright", fmt::format("All values are {} times too large.", energy_factor),
-         brighter(energy_factor)},
-    };
-}
-
-// Where lobes overlap, pdf() can be known too small only.
-std::vector<NamedDefect> defects_of_mixtures(double energy_factor) {
-    std::vector<NamedDefect> defects = common_defects(energy_factor);
-    for (NamedDefect& defect : defects)
-        if (defect.property == "pdf")
-            defect = {"pdf", "half", "The density is halved, as if two lobes were equally likely.", half_the_pdf};
-    return defects;
-}
-
 std::vector<NamedDefect> with(std::vector<NamedDefect> defects, std::vector<NamedDefect> more) {
     defects.insert(defects.end(), more.begin(), more.end());
     return defects;
-}
-
-std::vector<NamedDefect> discrete_defects() {
-    return {
-        {"weight", "half-the-probability", "Half of a lobe's probability is announced.", half_the_probability},
-        {"mass", "discrete", "discrete() is half of what is said, and a quarter.", discrete_everywhere},
-        {"eta-squared", "scaled-reflection", "Reflected radiance is scaled as if refracted.",
-         reflection_scaled_as_if_refracted},
-        {"energy", "too-bright", "All weights are 1.003 times too large.", brighter(1.003)},
-    };
 }
 
 // ---- defects of one model
