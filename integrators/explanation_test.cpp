@@ -33,7 +33,7 @@ protected:
 };
 
 TEST_P(Explained, SumsToWhatTheRendererPutsIntoThePicture) {
-    const FilmRegion crop{film.width / 2 - 8, film.height * 2 / 3, 16, 12};
+    const FilmRegion crop{film.width / 4, film.height / 4, film.width / 2, film.height / 2};
     const RenderSettings settings{.samples_per_pass = 1, .passes = 1, .seed = 7, .crop = crop};
     const Film rendered = render(scene, *estimator, settings).film;
     std::map<std::array<int, 2>, std::array<ExactSum, 3>> sums;
