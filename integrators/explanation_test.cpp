@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "integrators/integrators.h"
 #include "scenes/exact_sum.h"
 #include "scenes/mitsuba_xml.h"
@@ -116,25 +117,6 @@ TEST(Explain, NamesWhatIsNotThere) {
     EXPECT_THROW(explain(scene, PathTracer(), settings, 4, 4, 0), Error);
     EXPECT_THROW(explain(scene, PathTracer(), settings, 3, -1, 0), Error);
     EXPECT_THROW(explain(scene, PathTracer(), settings, 3, 4, 1), Error);
-}
-
-TEST(Render, PartsMergeToTheBitsOfTheWhole) {
-    const Scene& scene = shipped("cornell_box");
-    for (const char* id : {"path", "light"}) {
-        const auto estimator = make_integrator(id, {.max_edges = 4});
-        RenderSettings settings{.sampler = "stratified", .passes = 5, .seed = 9, .crop = {40, 40, 20, 17}};
-        const Film whole = render(scene, *estimator, settings).film;
-        settings.pass_step = 3;
-        Film merged(FilmSize{20, 17}, render_layers());
-        for (const std::uint32_t part : {2u, 0u, 1u}) {
-            settings.first_pass = part;
-            merged.merge(render(scene, *estimator, settings).film);
-        }
-        EXPECT_EQ(merged.replicates(), 5u);
-        EXPECT_EQ(merged.image().values, whole.image().values) << id;
-        settings.first_pass = 5;
-        EXPECT_THROW(render(scene, *estimator, settings), Error);
-    }
 }
 
 }  // namespace

@@ -111,6 +111,15 @@ RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_p
     return settings;
 }
 
+RenderSettings part_of(RenderSettings settings, std::uint32_t i, std::uint32_t n) {
+    if (i < 1 || i > n || i > settings.passes)
+        throw Error(fmt::format("part {} of {} of {} passes: accepted are 1 to {}", i, n, settings.passes,
+                                std::min(n, settings.passes)));
+    settings.first_pass = i - 1;
+    settings.pass_step = n;
+    return settings;
+}
+
 std::vector<FilmLayer> render_layers() {
     return {{"radiance", {"R", "G", "B"}, true},
             {"albedo", {"R", "G", "B"}, true},
@@ -125,8 +134,6 @@ Rendered render(const Scene& scene, const PathEstimator& estimator, const Render
     const FilmSize size{settings.crop.width, settings.crop.height};
     Rendered result{Film(size, render_layers())};
     const std::uint32_t first = settings.first_pass, step = settings.pass_step;
-    if (first >= settings.passes || step < 1)
-        throw Error(fmt::format("no pass of {} is one of {}, {}, …", settings.passes, first, first + step));
     RenderProgress progress{0, tiles.size() * ((settings.passes - 1 - first) / step + 1)};
     std::mutex mutex;
     for (std::uint32_t pass = first; pass < settings.passes; pass += step) {
