@@ -56,9 +56,9 @@ std::string findings_text(const ExplainedSample& sample) {
     std::vector<std::vector<std::string>> rows;
     for (const PathStory::Finding& f : sample.told.story.findings) {
         const auto density = [](double pdf) { return pdf > 0 ? readable(pdf) : ""; };
-        rows.push_back({text(f.strategy), is_black(f.value()) ? "" : fmt::format("{}", f.splat + 1), density(f.pdf),
-                        density(f.rival), fmt::format("{:.6g}", f.weight), text(f.throughput), text(f.light),
-                        f.source ? name_of_light(sample.scene, *f.source).text() : ""});
+        rows.push_back({text(f.strategy), is_black(f.value()) ? "hidden" : fmt::format("{}", f.splat + 1),
+                        density(f.pdf), density(f.rival), fmt::format("{:.6g}", f.weight), text(f.throughput),
+                        text(f.light), f.source ? name_of_light(sample.scene, *f.source).text() : ""});
     }
     if (rows.empty()) return "no light was found\n";
     return table({{"(s, t)"},

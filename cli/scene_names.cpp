@@ -6,7 +6,8 @@ namespace plumb {
 
 std::string SceneName::text() const {
     const std::string quoted = id.empty() ? "" : fmt::format(" '{}'", id);
-    return fmt::format("{} {}{} ({}:{})", kind, index, quoted, place.file, place.line);
+    return fmt::format("{} {}{} ({}:{})", kind, index, quoted, std::filesystem::path(place.file).filename().string(),
+                       place.line);
 }
 
 SceneName name_of_shape(const Scene& scene, std::uint32_t shape) {
