@@ -34,17 +34,13 @@ std::optional<ScatterSample> sample_bsdf(const PathVertex& vertex, std::uint16_t
 inline void tell_scattering(const PathRecord& record, std::uint16_t number, const ScatterSample& sample,
                             const Spectrum& throughput) {
     if (record.story)
-        record.story->scatterings.push_back(
-            {number, sample.direction, sample.pdf, sample.measure, sample.eta, throughput});
+        record.story->scattered({number, sample.direction, sample.pdf, sample.measure, sample.eta, throughput});
 }
 /// Whether a path goes on, which it does with this probability, in the direction told last.
 inline bool survives_roulette(double probability, std::uint16_t number, PrimarySamples& samples,
                               const PathRecord& record) {
     const bool survives = samples.at({number, Use::roulette}).u[0] < probability;
-    if (record.story) {
-        record.story->scatterings.back().survival = probability;
-        record.story->scatterings.back().survived = survives;
-    }
+    if (record.story) record.story->played(probability, survives);
     return survives;
 }
 

@@ -56,11 +56,7 @@ struct PathRecord {
         splats.clear();
     }
     /// Tells the story, which must be there, of light that is to be the next splat or a part of it.
-    void tell(PathStory::Finding finding) const {
-        finding.throughput = story->throughput;
-        finding.splat = splats.size();
-        story->findings.push_back(finding);
-    }
+    void tell(const PathStory::Finding& finding) const { story->found(finding, splats.size()); }
     /// Of the splats for the region.
     [[nodiscard]] Spectrum sum() const {
         Spectrum sum;

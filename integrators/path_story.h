@@ -50,6 +50,12 @@ struct PathStory {
     Spectrum throughput = Spectrum::grey(1);  ///< of what is found next
 
     void clear() { *this = {}; }
+    // Out of line, because nobody listens to most paths: inlined, telling costs `path` a tenth of its speed.
+    /// Light that is to be the splat of this index, or a part of it, behind `throughput`.
+    void found(Finding finding, std::size_t splat);
+    void scattered(const Scattering& scattering);
+    /// Whether roulette let the path go on in the direction told last.
+    void played(double survival, bool survived);
 };
 
 }  // namespace plumb
