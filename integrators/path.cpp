@@ -35,13 +35,13 @@ void PathTracer::trace(const Scene& scene, const FilmRegion& region, PrimarySamp
                        PathRecord& record) const {
     record.clear();
     const CameraStart start = start_at_camera(scene, region, samples);
-    std::optional<PathState> state =
-        PathState{.ray = start.ray, .from = start.ray.origin, .direction = start.ray.direction};
-    while (state) state = step(scene, start.film, *state, samples, record);
+    PathState state{.ray = start.ray, .from = start.ray.origin, .direction = start.ray.direction};
+    while (step(scene, start.film, state, samples, record)) {
+    }
 }
 
-std::optional<PathState> PathTracer::step(const Scene& scene, const Point<2>& film, const PathState& state,
-                                          PrimarySamples& samples, PathRecord& record) const {
+bool PathTracer::step(const Scene& scene, const Point<2>& film, PathState& state, PrimarySamples& samples,
+                      PathRecord& record) const {
     const std::optional<Hit> hit = trace_to_hit(scene, state.ray, state.vertex, samples, record);
     const auto add = [&](const Spectrum& light, int edges) {
         if (!is_black(light)) record.splats.push_back({film, state.throughput * light, edges});
@@ -49,33 +49,32 @@ std::optional<PathState> PathTracer::step(const Scene& scene, const Point<2>& fi
     const int edges = state.vertex;
     if (record.story) record.story->throughput = state.throughput;
     add(met_light(scene, next_event, state, hit, record), edges);
-    if (!hit) return {};
-    record.vertices.push_back(vertex_at(scene, *hit, state.ray));
-    const PathVertex& vertex = record.vertices.back();
-    if (!limits.allow(edges + 1)) return {};
+    if (!hit) return false;
+    const PathVertex& vertex = record.vertices.emplace_back(vertex_at(scene, *hit, state.ray));
+    if (!limits.allow(edges + 1)) return false;
     add(light_from_emitters(scene, vertex, state.vertex, LightTechniques::both, next_event, samples, record),
         edges + 1);
-    return edges < last_vertex ? scatter(vertex, state, samples, record) : std::nullopt;
+    return edges < last_vertex && scatter(vertex, state, samples, record);
 }
 
-std::optional<PathState> PathTracer::scatter(const PathVertex& vertex, const PathState& state, PrimarySamples& samples,
-                                             PathRecord& record) const {
-    const auto sample = sample_bsdf(vertex, state.vertex, samples, Transport::radiance);
-    if (!sample) return {};
-    PathState next{.ray = leave(vertex.hit.point, sample->direction),
-                   .from = vertex.hit.point.position,
-                   .direction = sample->direction,
-                   .throughput = state.throughput * sample->weight,
-                   .pdf = sample->measure == Measure::solid_angle ? sample->pdf : 0,
-                   .eta_squared = state.eta_squared * sample->eta * sample->eta,
-                   .vertex = static_cast<std::uint16_t>(state.vertex + 1)};
-    tell_scattering(record, state.vertex, *sample, next.throughput);
-    if (is_black(next.throughput)) return {};
-    if (next.vertex <= limits.roulette_edges) return next;
-    const double survives = survival(next.throughput, next.eta_squared);
-    if (!survives_roulette(survives, state.vertex, samples, record)) return {};
-    next.throughput = next.throughput / survives;
-    return next;
+bool PathTracer::scatter(const PathVertex& vertex, PathState& state, PrimarySamples& samples,
+                         PathRecord& record) const {
+    const std::uint16_t number = state.vertex++;
+    const auto sample = sample_bsdf(vertex, number, samples, Transport::radiance);
+    if (!sample) return false;
+    state.ray = leave(vertex.hit.point, sample->direction);
+    state.from = vertex.hit.point.position;
+    state.direction = sample->direction;
+    state.throughput *= sample->weight;
+    state.pdf = sample->measure == Measure::solid_angle ? sample->pdf : 0;
+    state.eta_squared *= sample->eta * sample->eta;
+    tell_scattering(record, number, *sample, state.throughput);
+    if (is_black(state.throughput)) return false;
+    if (state.vertex <= limits.roulette_edges) return true;
+    const double survives = survival(state.throughput, state.eta_squared);
+    if (!survives_roulette(survives, number, samples, record)) return false;
+    state.throughput = state.throughput / survives;
+    return true;
 }
 
 }  // namespace plumb

@@ -48,13 +48,12 @@ struct PathTracer final : PathEstimator {
                PathRecord& record) const override;
 
     /// One step: the ray is traced, light that it meets and light at the vertex are added to the record, and a new
-    /// direction is chosen. Empty where the path ends.
-    std::optional<PathState> step(const Scene& scene, const Point<2>& film, const PathState& state,
-                                  PrimarySamples& samples, PathRecord& record) const;
+    /// direction is chosen. False where the path ends.
+    bool step(const Scene& scene, const Point<2>& film, PathState& state, PrimarySamples& samples,
+              PathRecord& record) const;
 
 private:
-    std::optional<PathState> scatter(const PathVertex& vertex, const PathState& state, PrimarySamples& samples,
-                                     PathRecord& record) const;
+    bool scatter(const PathVertex& vertex, PathState& state, PrimarySamples& samples, PathRecord& record) const;
 };
 
 }  // namespace plumb

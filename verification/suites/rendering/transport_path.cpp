@@ -55,16 +55,14 @@ struct OwnRoulette final : PathEstimator {
                PathRecord& record) const override {
         record.clear();
         const CameraStart start = start_at_camera(scene, region, samples);
-        std::optional<PathState> state =
-            PathState{.ray = start.ray, .from = start.ray.origin, .direction = start.ray.direction};
-        while (state) {
-            auto next = tracer.step(scene, start.film, *state, samples, record);
-            if (!next) return;
-            const double u = samples.at({state->vertex, Use::roulette}).u[0];
-            const auto throughput = play(*state, *next, u);
+        PathState state{.ray = start.ray, .from = start.ray.origin, .direction = start.ray.direction};
+        PathState before = state;
+        while (tracer.step(scene, start.film, state, samples, record)) {
+            const double u = samples.at({before.vertex, Use::roulette}).u[0];
+            const auto throughput = play(before, state, u);
             if (!throughput) return;
-            next->throughput = *throughput;
-            state = next;
+            state.throughput = *throughput;
+            before = state;
         }
     }
 };
