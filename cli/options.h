@@ -10,6 +10,7 @@
 
 #include "estimators/integration.h"
 #include "verification/image_comparison.h"
+#include "verification/known_values.h"
 #include "verification/runner.h"
 
 namespace plumb {
@@ -94,6 +95,8 @@ struct RenderOptions {
     std::vector<int> strategy;               ///< s, t of bdpt; empty: all
     std::uint32_t samples_per_pixel = 64;
     std::optional<std::chrono::duration<double>> time;  ///< instead
+    std::optional<ErrorTarget> error;                   ///< instead
+    std::uint32_t most_samples = 1u << 16;              ///< of a pixel, where the error is not reached
     std::vector<int> crop;                              ///< x, y, width, height; empty: the whole film
     std::map<std::string, std::string> definitions;     ///< of $name in the file
     bool lenient = false;
@@ -110,6 +113,14 @@ struct CompareOptions {
     std::string json, report = "out/compare.html";
 };
 
+struct CheckOptions {
+    std::vector<std::string> images;  ///< independent renders of one picture
+    std::string expected;             ///< a file, or the name of a shipped scene
+    std::optional<int> edges;         ///< of the longest paths that count; 0: all do; empty: as the images say
+    CheckSettings settings;
+    std::string json;
+};
+
 struct ReportOptions {
     std::string store = "out/results.db", report = "out/report.html";
     std::optional<std::int64_t> run, against;  ///< run: empty for the newest
@@ -122,7 +133,7 @@ struct Answered {
 };
 
 using Options = std::variant<Answered, VerifyOptions, RenderOptions, ListOptions, ConvergeOptions, IntegrateOptions,
-                             WeightsOptions, StudyOptions, ReportOptions, MergeOptions, CompareOptions>;
+                             WeightsOptions, StudyOptions, ReportOptions, MergeOptions, CompareOptions, CheckOptions>;
 
 /// The verbs that need nothing but a catalogue, or all those of the program that Plumb ships.
 enum class VerbSet { of_a_catalogue, shipped };
@@ -141,6 +152,8 @@ ErrorTarget parse_error_target(const std::string& text);
 std::vector<int> parse_strategy(const std::string& text);
 /// "x,y,width,height" in pixels; throws Error.
 std::vector<int> parse_crop(const std::string& text);
+/// "3", or "all" as 0; throws Error.
+int parse_edges(const std::string& text);
 /// "name=value"; throws Error.
 std::pair<std::string, std::string> parse_definition(const std::string& text);
 /// "0,1" or "0,2,-1,1": both ends of each axis; throws Error.

@@ -7,7 +7,8 @@
 #include "core/file.h"
 #include "core/parallel.h"
 #include "integrators/integrators.h"
-#include "integrators/render.h"
+#include "integrators/provenance.h"
+#include "integrators/render_until.h"
 #include "integrators/sampler.h"
 #include "reports/json.h"
 #include "scenes/mitsuba_xml.h"
@@ -23,11 +24,6 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Scenes often lie in a folder of their own name, as scene.xml.
-std::string name_of(const fs::path& file) {
-    return file.stem() == "scene" ? fs::absolute(file).parent_path().filename().string() : file.stem().string();
-}
-
 void print_notes(const description::Scene& scene) {
     for (const description::Note& note : scene.notes)
         fmt::print("{}:{}: {} {}\n", note.place.file, note.place.line,
@@ -37,24 +33,6 @@ void print_notes(const description::Scene& scene) {
 FilmRegion crop_of(const std::vector<int>& crop, FilmSize film) {
     if (crop.empty()) return {0, 0, film.width, film.height};
     return {crop[0], crop[1], crop[2], crop[3]};
-}
-
-// What the picture is a function of: no dates, no seconds, so that the same seed gives the same file.
-std::map<std::string, std::string> metadata(const RenderOptions& options, const fs::path& file,
-                                            const RenderSettings& settings, const Scene& scene, const Film& film,
-                                            const RunInfo& info) {
-    const FilmRegion& crop = settings.crop;
-    return {{"plumb:scene", name_of(file)},
-            {"plumb:scene_hash", fmt::format("{:016x}", scene.description().content_hash)},
-            {"plumb:integrator", options.integrator},
-            {"plumb:sampler", settings.sampler},
-            {"plumb:max_depth", fmt::format("{}", options.max_depth)},
-            {"plumb:seed", fmt::format("{}", settings.seed)},
-            {"plumb:spp", fmt::format("{}", film.replicates() * settings.samples_per_pass)},
-            {"plumb:replicates", fmt::format("{}", film.replicates())},
-            {"plumb:film", fmt::format("{}x{}", scene.sensor().film().width, scene.sensor().film().height)},
-            {"plumb:crop", fmt::format("{},{},{},{}", crop.x, crop.y, crop.width, crop.height)},
-            {"Software", fmt::format("Plumb {}", info.version)}};
 }
 
 // Formats that hold floats and names get every layer, the others what a person looks at.
@@ -73,13 +51,22 @@ Image fit_for(const fs::path& file, const Image& image) {
     return colours;
 }
 
+std::string text_of(const FilmError& error) {
+    return fmt::format("relative error {:.3g} % (RMSE {:.3g})", 100 * error.relative, error.rmse);
+}
+
+std::string text_of(const ErrorTarget& target) {
+    return target.relative ? fmt::format("{:.3g} %", 100 * target.error) : fmt::format("RMSE {:.3g}", target.error);
+}
+
 // Says how far the render is; ends it when its time is over.
 class Watch {
 public:
-    explicit Watch(const std::optional<std::chrono::duration<double>>& limit) : limit_(limit) {}
+    Watch(const std::optional<std::chrono::duration<double>>& limit, const std::optional<ErrorTarget>& target)
+        : limit_(limit), target_(target) {}
 
     bool operator()(const RenderProgress& progress) {
-        const double spent = seconds_since(start_);
+        const double spent = seconds();
         const double share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
         const double left = limit_ ? limit_->count() - spent : spent * (1 - share) / share;
         if (seconds_since(shown_) > 0.1) {
@@ -89,13 +76,31 @@ public:
         }
         return !limit_ || left > 0;
     }
+    // Squared errors fall as 1/passes, and passes double.
+    void look(std::uint64_t passes, const FilmError& error) {
+        const double share = (target_->relative ? error.relative : error.rmse) / target_->error;
+        const double factor = std::exp2(std::ceil(std::log2(std::max(1.0, share * share))));
+        line_.show(fmt::format("{} passes, {}, about {:.0f} s left", passes, text_of(error), seconds() * (factor - 1)));
+    }
     [[nodiscard]] double seconds() const { return seconds_since(start_); }
 
 private:
     std::optional<std::chrono::duration<double>> limit_;
+    std::optional<ErrorTarget> target_;
     Clock::time_point start_ = Clock::now(), shown_ = start_;
     ProgressLine line_;
 };
+
+RenderedUntil rendered(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings,
+                       const RenderOptions& options, Watch& watch) {
+    if (options.error)
+        return render_until(scene, estimator, settings, *options.error,
+                            options.most_samples / settings.samples_per_pass,
+                            [&](std::uint64_t passes, const FilmError& error) { watch.look(passes, error); });
+    Rendered all = render(scene, estimator, settings, std::ref(watch));
+    const FilmError error = error_of(all.film);
+    return {std::move(all), error, true};
+}
 
 std::vector<Field> side_record(const Rendered& rendered, const RunInfo& info) {
     const BadValues& bad = rendered.film.bad_values();
@@ -117,38 +122,52 @@ int render(const RenderOptions& options) {
     if (!options.strategy.empty()) limits.strategy = Strategy{options.strategy[0], options.strategy[1]};
     const auto estimator = make_integrator(options.integrator, limits);
     const fs::path file = scene_file(options.scene);
-    const fs::path out = options.out.empty() ? fs::path("out") / (name_of(file) + ".exr") : fs::path(options.out);
+    const fs::path out = options.out.empty() ? fs::path("out") / (scene_name(file) + ".exr") : fs::path(options.out);
     check_writable(out);
     check_image_format(out);
     RunInfo info = start_run(options.seed, options.threads);
     RenderSettings settings{.sampler = options.sampler, .seed = info.seed};
-    if (options.time)
-        settings.passes = 1u << 20;
-    else
-        settings = with_samples(settings, options.samples_per_pixel);
+    if (options.time) settings.passes = 1u << 20;
+    if (!options.time && !options.error) settings = with_samples(settings, options.samples_per_pixel);
     Sampler(settings.sampler, 1);  // knows the name, or says so before the work begins
     const Scene scene(load_mitsuba(file, {options.definitions, options.lenient}));
-    settings.crop = crop_of(options.crop, scene.sensor().film());
-    check_crop(settings.crop, scene.sensor().film());
+    const FilmSize film = scene.sensor().film();
+    settings.crop = crop_of(options.crop, film);
+    check_crop(settings.crop, film);
     print_notes(scene.description());
 
-    std::optional<Rendered> rendered;
+    std::optional<RenderedUntil> done;
     {
-        Watch watch(options.time);
-        with_threads(info.threads, [&] { rendered = render(scene, *estimator, settings, std::ref(watch)); });
+        Watch watch(options.time, options.error);
+        with_threads(info.threads, [&] { done = rendered(scene, *estimator, settings, options, watch); });
         info.seconds = watch.seconds();
     }
-    Image image = rendered->film.image();
-    image.metadata = metadata(options, file, settings, scene, rendered->film, info);
+    const Rendered& picture = done->rendered;
+    const std::uint64_t replicates = picture.film.replicates(), samples = replicates * settings.samples_per_pass;
+    Image image = picture.film.image();
+    image.metadata = metadata_of({.scene = scene_name(file),
+                                  .scene_hash = fmt::format("{:016x}", scene.description().content_hash),
+                                  .integrator = options.integrator,
+                                  .sampler = settings.sampler,
+                                  .version = info.version,
+                                  .limits = limits,
+                                  .seed = info.seed,
+                                  .samples_per_pixel = samples,
+                                  .replicates = replicates,
+                                  .film = film,
+                                  .crop = settings.crop,
+                                  .error = done->error});
     if (out.has_parent_path()) fs::create_directories(out.parent_path());
     write_image(out, fit_for(out, image));
-    const std::vector<ListRow> record{side_record(*rendered, info)};
+    const std::vector<ListRow> record{side_record(picture, info)};
     write_file(out.string() + ".json", list_json(record));
-    print_bad_values(rendered->film.bad_values());
-    const std::uint64_t samples = rendered->film.replicates() * settings.samples_per_pass;
-    fmt::print("{} samples a pixel, {:.3g} rays, {:.1f} s, seed {}; {}\n", samples, static_cast<double>(rendered->rays),
-               info.seconds, info.seed, out.string());
-    return 0;
+    print_bad_values(picture.film.bad_values());
+    fmt::print("{} samples a pixel, {:.3g} rays, {:.1f} s, seed {}, {}; {}\n", samples,
+               static_cast<double>(picture.rays), info.seconds, info.seed, text_of(done->error), out.string());
+    if (done->met) return 0;
+    fmt::print("the error {} was not reached with {} samples a pixel (--max-spp): fireflies, or too few samples\n",
+               text_of(*options.error), samples);
+    return 3;
 }
 
 }  // namespace plumb

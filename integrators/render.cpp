@@ -143,7 +143,7 @@ Rendered render(const Scene& scene, const PathEstimator& estimator, const Render
     RenderProgress progress{0, tiles.size() * settings.passes};
     std::mutex mutex;
     for (std::uint32_t pass = 0; pass < settings.passes; ++pass) {
-        Pass image(scene, estimator, settings, pass);
+        Pass image(scene, estimator, settings, settings.first_pass + pass);
         bool more = true;
         for_batches(tiles.size(), [&](std::size_t i) {
             const std::uint64_t rays = image.render(tiles[i]);

@@ -14,7 +14,8 @@ struct RenderSettings {
     std::uint32_t samples_per_pass = 4;   ///< of each pixel
     std::uint32_t passes = 16;
     std::uint64_t seed = 1;
-    FilmRegion crop = {};  ///< which pixels of the film
+    FilmRegion crop = {};          ///< which pixels of the film
+    std::uint32_t first_pass = 0;  ///< films of passes 0 to 15 and 16 to 31 merge into the film of all 32
 };
 
 /// Samples a pixel cut into passes: as near to 16 passes as divides them.
