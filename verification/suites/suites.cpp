@@ -49,6 +49,7 @@ Catalogue shipped_catalogue() {
     add_transport_equal_claims(catalogue);
     add_transport_weight_claims(catalogue);
     add_compare_claims(catalogue);
+    add_compare_render_claims(catalogue);
     return catalogue;
 }
 
