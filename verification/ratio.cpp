@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
 #include "core/moments.h"
 #include "core/parallel.h"
@@ -91,6 +92,14 @@ Verdict ratio_is(const Draw& a, const Draw& b, const RatioClaim& claim, const Ru
     const LogRatio ratio{std::log(ma.variance() * claim.cost_a / (mb.variance() * claim.cost_b)),
                          std::sqrt((ma.kurtosis() - 1) / r + (mb.kurtosis() - 1) / r)};
     return log_ratio_verdict(ratio, claim.ratio, 2 * claim.replicates, "variance × cost ratio", run);
+}
+
+Verdict mse_ratio_is(const Series& a, const Series& b, const Interval& ratio, const Run& run) {
+    const ConvergencePoint &of_a = a.points.back(), &of_b = b.points.back();
+    if (of_a.n != of_b.n) throw std::logic_error("a ratio of MSEs at different numbers of samples");
+    const LogRatio measured{std::log(of_a.mse / of_b.mse), std::hypot(of_a.log_mse_error, of_b.log_mse_error)};
+    return log_ratio_verdict(measured, ratio, a.replicates + b.replicates,
+                             fmt::format("{} over {} at n = {}: MSE ratio", a.estimator, b.estimator, of_a.n), run);
 }
 
 Verdict variance_is(const Draw& draw, double variance, double relative_delta, std::uint64_t replicates,

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "verification/convergence.h"
+
 namespace plumb {
 namespace {
 
@@ -34,6 +38,21 @@ TEST(RatioIs, RefutesValuesThatAreNotNumbers) {
 
 TEST(RatioIs, OneReplicateDecidesNothing) {
     EXPECT_EQ(ratio_is(uniform, uniform, {.ratio = {0.5, 2}, .replicates = 1}, run).outcome, Outcome::undecided);
+}
+
+TEST(MseRatioIs, ComparesSeriesAtTheLastCount) {
+    const auto error = [](double scale) {
+        return [=](std::uint64_t n, RandomStream& random) {
+            return Estimate{scale * (random.uniform() - 0.5) / static_cast<double>(n), HUGE_VAL, n};
+        };
+    };
+    const auto measured = [&](double scale, std::uint64_t last) {
+        return measure_convergence(error(scale), {"uniform", "nothing", 0, {2, last}, 5000}, run);
+    };
+    const Series one = measured(1, 8), half = measured(0.5, 8), other = measured(1, 16);
+    EXPECT_EQ(mse_ratio_is(half, one, {0.2, 0.3}, run).outcome, Outcome::holds);
+    EXPECT_EQ(mse_ratio_is(one, one, {0.2, 0.3}, run).outcome, Outcome::refuted);
+    EXPECT_THROW(mse_ratio_is(one, other, {0.2, 0.3}, run), std::logic_error);
 }
 
 TEST(VarianceIs, FindsTheVarianceOverNAtNTwo) {

@@ -47,8 +47,10 @@ Catalogue shipped_catalogue() {
     add_bsdf_term_claims(catalogue);
     add_transport_closed_claims(catalogue);
     add_transport_equal_claims(catalogue);
+    add_transport_sampler_claims(catalogue);
     add_transport_weight_claims(catalogue);
     add_compare_claims(catalogue);
+    add_compare_render_claims(catalogue);
     return catalogue;
 }
 

@@ -49,9 +49,11 @@ void add_surface_claims(Catalogue& catalogue);
 void add_texture_claims(Catalogue& catalogue);
 void add_transport_closed_claims(Catalogue& catalogue);
 void add_transport_equal_claims(Catalogue& catalogue);
+void add_transport_sampler_claims(Catalogue& catalogue);
 void add_transport_weight_claims(Catalogue& catalogue);
 void add_bsdf_model_claims(Catalogue& catalogue);  ///< every model against its own words
 void add_bsdf_term_claims(Catalogue& catalogue);   ///< Fresnel's and the microfacets' terms in multi-precision
 void add_compare_claims(Catalogue& catalogue);     ///< `plumb compare` on trial
+void add_compare_render_claims(Catalogue& catalogue);
 
 }  // namespace plumb

@@ -1,11 +1,8 @@
-// `plumb compare` on trial: honest renders, spoiled renders, and what it must leave undecided.
-
-#include <algorithm>
+// `plumb compare` on trial: honest renders, spoiled renders, and what it must leave undecided, without a renderer.
 
 #include "verification/deterministic.h"
-#include "verification/distributions.h"
-#include "verification/image_comparison.h"
 #include "verification/mean.h"
+#include "verification/suites/rendering/compare_subjects.h"
 #include "verification/suites/suites.h"
 #include "verification/synthetic_render.h"
 
@@ -61,51 +58,6 @@ SyntheticRender render(const Truth& truth = pixels_of(radiance), int replicates 
 
 // ---- what is done to it
 
-/// Changes the values of an image by a function of their place; its variances by the square of that function's slope.
-using Change = std::function<double(double value, int x, int y)>;
-Image changed(Image image, const Change& change) {
-    for (int i = 0; i < edge * edge; ++i)
-        for (std::size_t c = 0; c < 3; ++c) {
-            float& value = image.values[static_cast<std::size_t>(i) * 6 + c];
-            float& variance = image.values[static_cast<std::size_t>(i) * 6 + 3 + c];
-            const int x = i % edge, y = i / edge;
-            const double at = value, slope = (change(1.001 * at, x, y) - change(at, x, y)) / (0.001 * at);
-            value = static_cast<float>(change(at, x, y));
-            variance = static_cast<float>(variance * slope * slope);
-        }
-    return image;
-}
-
-double to_srgb(double v) {  // [IEC 61966-2-1]
-    return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
-}
-double to_linear(double v) {
-    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
-
-/// In bytes as sRGB and back; the layer of variances is kept.
-Image in_bytes(Image image) {
-    for (std::size_t i = 0; i < image.values.size(); ++i)
-        if (i % 6 < 3)
-            image.values[i] = static_cast<float>(
-                to_linear(std::round(255 * to_srgb(std::clamp<double>(image.values[i], 0, 1))) / 255));
-    return image;
-}
-
-/// Means of 3x3 pixels; the layer of variances is kept.
-Image blurred(const Image& image) {
-    Image out = image;
-    for (int y = 0; y < edge; ++y)
-        for (int x = 0; x < edge; ++x)
-            for (std::size_t c = 0; c < 3; ++c) {
-                float sum = 0;
-                for (int k = 0; k < 9; ++k)
-                    sum += image.at(std::clamp(x + k % 3 - 1, 0, edge - 1), std::clamp(y + k / 3 - 1, 0, edge - 1), c);
-                out.values[static_cast<std::size_t>(y * edge + x) * 6 + c] = sum / 9;
-            }
-    return out;
-}
-
 /// The mean of two renders of equal size.
 Image joined(const Image& one, const Image& other) {
     Image both = one;
@@ -116,46 +68,9 @@ Image joined(const Image& one, const Image& other) {
 
 // ---- one comparison
 
-/// Two renders for random numbers of their own.
-using Pair = std::function<std::pair<Image, Image>(std::uint64_t seed)>;
-
-Picture picture(const Image& image) {
-    return picture_of(std::vector{image}, std::vector<std::string>{"render"});
-}
-
-ImageComparison compared(const std::pair<Image, Image>& images, double alpha) {
-    return compare(picture(images.first), picture(images.second), {.alpha = alpha});
-}
-
 Pair against(const std::function<Image(std::uint64_t)>& spoiled) {
     return [=](std::uint64_t seed) { return std::pair{render()(2 * seed), spoiled(2 * seed + 1)}; };
 }
-
-bool touches(const PixelBox& box, const PixelBox& place) {
-    return box.x < place.x + place.width && place.x < box.x + box.width && box.y < place.y + place.height &&
-           place.y < box.y + box.height;
-}
-
-constexpr PixelBox anywhere{0, 0, edge, edge};
-
-/// The comparison's verdict, but a refutation counts only where the tile that differs most lies in `place`.
-Verdict comparison_shows(const Pair& pair, const PixelBox& place, const Run& run) {
-    RandomStream random = run.random(0);
-    const ImageComparison found = compared(pair(random.bits() >> 8), run.alpha());
-    Verdict verdict = found.verdict;
-    const bool shown = !found.differing.empty() && touches(found.tiles[found.differing.front()].box, place);
-    if (verdict.outcome == Outcome::refuted && place.width < edge && !shown) {
-        verdict.outcome = Outcome::undecided;
-        verdict.reason = "refuted, but the place is not shown: " + verdict.reason;
-    }
-    return verdict;
-}
-
-struct Spoiled {
-    std::string id, defect;
-    Pair pair;
-    PixelBox place = anywhere;
-};
 
 std::vector<Spoiled> spoiled_by_hand() {
     const auto change = [](const Change& how) {
@@ -221,15 +136,11 @@ std::vector<Spoiled> spoiled_renders() {
 
 // ---- how often
 
-/// 1 where two renders of a law with this skew are refuted at level `alpha`.
-double refuted_pair(const SyntheticRender& one, const SyntheticRender& other, double alpha, double variance_scale,
+/// Both sides' layers of variances are off by a factor.
+TwoSides noisy_pair(const SyntheticRender& one, const SyntheticRender& other, double variance_scale,
                     RandomStream& random) {
-    std::pair<Image, Image> images{one(random.bits()), other(random.bits())};
-    for (std::size_t i = 0; i < images.first.values.size(); ++i)
-        if (i % 6 >= 3)
-            for (Image* image : {&images.first, &images.second})
-                image->values[i] = static_cast<float>(image->values[i] * variance_scale);
-    return compared(images, alpha).verdict.outcome == Outcome::refuted ? 1 : 0;
+    Image first = one(random.bits());
+    return {with_variance(std::move(first), variance_scale), with_variance(other(random.bits()), variance_scale)};
 }
 
 SyntheticRender noisy(int replicates, const std::function<double(RandomStream&, int, int)>& law) {
@@ -244,34 +155,22 @@ SyntheticRender noisy(int replicates, const std::function<double(RandomStream&, 
 Verdict level_is_kept(int replicates, double variance_scale, const Run& run) {
     constexpr double alpha = 0.05;
     const SyntheticRender one = noisy(replicates, exponential_noise), other = noisy(16, even_noise);
-    return mean_at_most([&](RandomStream& random) { return refuted_pair(one, other, alpha, variance_scale, random); },
-                        {.bound = alpha, .margin = 0.04, .bounds = {0, 1}, .cap = run.pick<std::uint64_t>(1000, 10000)},
-                        run);
+    return mean_at_most(
+        [&](RandomStream& random) {
+            return is_refuted(noisy_pair(one, other, variance_scale, random), alpha) ? 1.0 : 0.0;
+        },
+        {.bound = alpha, .margin = 0.04, .bounds = {0, 1}, .cap = run.pick<std::uint64_t>(1000, 10000)}, run);
 }
 
-/// 200 pairs at 1e-5 each: refuted when there are more false alarms than that allows, holds when the upper bound of
-/// their rate is below 5 %.
-Verdict pairs_are_not_refuted(double variance_scale, const Run& run) {
-    constexpr double alpha = 1e-5, most = 0.05;
-    const std::uint64_t pairs = run.pick<std::uint64_t>(200, 2000);
+Verdict honest_pairs(double variance_scale, const Run& run) {
     const std::vector<SyntheticRender> renders{noisy(4, exponential_noise), noisy(16, exponential_noise),
                                                noisy(16, spiky_noise(2000, 400)), noisy(8, spiky_noise(50, 10))};
-    Verdict verdict;
-    double refuted = 0;
-    for (std::uint64_t i = 0; i < pairs; ++i) {
-        RandomStream random = run.random(i);
-        refuted +=
-            refuted_pair(renders[i % renders.size()], renders[i % renders.size()], alpha, variance_scale, random);
-    }
-    const auto found = static_cast<std::uint64_t>(refuted);
-    const double low = clopper_pearson(found, pairs, run.alpha()).low,
-                 high = clopper_pearson(found, pairs, run.beta()).high;
-    verdict.samples = pairs;
-    verdict.deviation = {low, high};
-    verdict.resolution = most;
-    verdict.outcome = low > alpha ? Outcome::refuted : high < most ? Outcome::holds : Outcome::undecided;
-    verdict.reason = fmt::format("{} of {} honest pairs refuted at {} each", found, pairs, alpha);
-    return verdict;
+    return pairs_are_not_refuted(
+        [&](std::uint64_t i, RandomStream& random) {
+            const SyntheticRender& render = renders[i % renders.size()];
+            return noisy_pair(render, render, variance_scale, random);
+        },
+        run);
 }
 
 // ---- fireflies
@@ -292,24 +191,22 @@ Verdict one_firefly(double size, bool known, const Run& run) {
 }  // namespace
 
 void add_compare_claims(Catalogue& catalogue) {
-    std::vector<Mutant> mutants;
-    for (const auto& spoiled : {spoiled_by_hand(), spoiled_renders()})
-        for (const Spoiled& s : spoiled)
-            mutants.push_back({s.id, s.defect, [s](const Run& run) { return comparison_shows(s.pair, s.place, run); }});
+    std::vector<Spoiled> spoiled = spoiled_by_hand();
+    for (Spoiled& render : spoiled_renders()) spoiled.push_back(std::move(render));
     const Pair honest = against([](std::uint64_t seed) { return render()(seed); });
     catalogue.add({.id = "render/compare/spoiled",
                    .statement = "Two honest renders are found equal; a spoiled one is refuted, and where it is.",
                    .source = "ours, docs/compare.md",
                    .kind = Kind::mean,
-                   .check = [=](const Run& run) { return comparison_shows(honest, anywhere, run); },
-                   .mutants = std::move(mutants)});
+                   .check = [=](const Run& run) { return comparison_shows(honest, {}, run); },
+                   .mutants = mutants_of(spoiled)});
     catalogue.add({.id = "render/compare/honest",
                    .statement = "200 pairs of honest renders with skewed noise and fireflies are not refuted.",
                    .source = "ours, docs/compare.md",
                    .kind = Kind::mean,
-                   .check = [](const Run& run) { return pairs_are_not_refuted(1, run); },
+                   .check = [](const Run& run) { return honest_pairs(1, run); },
                    .mutants = {{"quarter-variance", "Layers of variances that are four times too small.",
-                                [](const Run& run) { return pairs_are_not_refuted(0.25, run); }}}});
+                                [](const Run& run) { return honest_pairs(0.25, run); }}}});
     for (const int replicates : {2, 4})
         catalogue.add({.id = fmt::format("render/compare/level-{}-replicates", replicates),
                        .statement = fmt::format("Renders of {} replicates with skewed noise are refuted at most as "

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+
+#include "verification/claim.h"
+#include "verification/image_comparison.h"
+
+namespace plumb {
+
+// What the claims of `plumb compare` share: images of channels R, G, B and the variances of their means in this order,
+// what may be done to them, and what a comparison of two must find.
+
+// ---- what is done to an image
+
+/// Changes the values of an image by a function of their place; its variances by the square of that function's slope.
+using Change = std::function<double(double value, int x, int y)>;
+Image changed(Image image, const Change& change);
+/// Its layer of variances multiplied.
+Image with_variance(Image image, double scale);
+
+double to_srgb(double linear);
+/// In bytes as sRGB and back; the layer of variances is kept.
+Image in_bytes(Image image);
+/// Means of 3x3 pixels; the layer of variances is kept.
+Image blurred(const Image& image);
+
+// ---- what is found
+
+/// One render, or independent ones of the same picture.
+struct Renders {
+    std::vector<Image> images;
+    Renders(Image one) : images{std::move(one)} {}
+    Renders(std::vector<Image> several) : images(std::move(several)) {}
+};
+using TwoSides = std::pair<Renders, Renders>;
+/// For random numbers of their own.
+using Pair = std::function<TwoSides(std::uint64_t seed)>;
+
+ImageComparison compared(const TwoSides& sides, double alpha, int tile = 0);
+bool is_refuted(const TwoSides& sides, double alpha);
+
+/// The comparison's verdict, but a refutation counts only where the tile that differs most touches `place`; anywhere,
+/// where that has no pixels. `tile` as in ComparisonSettings.
+Verdict comparison_shows(const Pair& pair, const PixelBox& place, const Run& run, int tile = 0);
+
+/// A pair whose second render has a defect, and where that shows.
+struct Spoiled {
+    std::string id, defect;
+    Pair pair;
+    PixelBox place = {};
+};
+/// Each is to be refuted by comparison_shows().
+std::vector<Mutant> mutants_of(const std::vector<Spoiled>& spoiled);
+
+/// 200 pairs (2000 in full) at 1e-5 each: refuted when there are more false alarms than that allows, holds when the
+/// upper bound of their rate is below 5 %.
+Verdict pairs_are_not_refuted(const std::function<TwoSides(std::uint64_t number, RandomStream& random)>& pair,
+                              const Run& run);
+
+}  // namespace plumb
