@@ -178,11 +178,12 @@ description::Scene glass_on_floor(PathClass::Source source) {
     description::Scene scene;
     const auto floor = diffuse(scene, 0.6);
     const auto glass = add_material(scene, description::Dielectric{1.5, Spectrum::grey(1), Spectrum::grey(1), {}});
+    const auto mirror = add_material(scene, description::Conductor{{}, {}, Spectrum::grey(0.9), {}});
     add_plate(scene, {-2, -1, 0}, {4, 0, 0}, {0, 3, 0}, floor);
     add_plate(scene, {-2, 2, 0}, {4, 0, 0}, {0, 0, 3}, floor);
     add_ball(scene, {-0.6, 0.2, 0.6}, 0.5, glass);
-    add_ball(scene, {0.6, 0.2, 0.6}, 0.5, glass);
-    if (source == PathClass::Source::surface) add_ball(scene, {0, 0.8, 2}, 0.4, floor, 5.0);
+    add_ball(scene, {0.6, 0.2, 0.6}, 0.5, mirror);
+    if (source == PathClass::Source::surface) add_ball(scene, {0, 0.8, 2}, 0.7, floor, 5.0);
     if (source == PathClass::Source::point)
         scene.emitters.push_back({description::PointLight{{0, 0.8, 2}, Spectrum::grey(5)}, {}});
     if (source == PathClass::Source::environment)
