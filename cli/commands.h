@@ -25,10 +25,12 @@ int converge(const ConvergeOptions& options);
 int study(const StudyOptions& options);
 int study_calibration(const StudyOptions& options);  ///< the study of that name: what a verdict costs
 int render(const RenderOptions& options);
+int explain(const ExplainOptions& options);
 int compare(const CompareOptions& options);
 int integrate(const IntegrateOptions& options);
 int weights(const WeightsOptions& options);
 int report(const ReportOptions& options);
 int merge(const MergeOptions& options);
+int merge_films(const MergeOptions& options);  ///< into an image
 
 }  // namespace plumb

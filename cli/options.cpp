@@ -43,9 +43,13 @@ const CLI::Validator whole_number(
     },
     "from 0 to 2^64 - 1");
 
-void add_seed_and_threads(CLI::App* verb, std::optional<std::uint64_t>& seed, int& threads) {
+void add_seed(CLI::App* verb, std::optional<std::uint64_t>& seed) {
     verb->add_option("--seed", seed, "the run's random seed; a new one when not given, recorded either way")
         ->check(whole_number);
+}
+
+void add_seed_and_threads(CLI::App* verb, std::optional<std::uint64_t>& seed, int& threads) {
+    add_seed(verb, seed);
     verb->add_option("--threads", threads, "worker threads; the results do not depend on them")
         ->check(CLI::Range(1, 4096));
 }
@@ -209,8 +213,7 @@ void add_weights(CLI::App& app, WeightsOptions& options) {
     verb->footer("Example: plumb weights points.csv --periodic -o weights.csv");
 }
 
-void add_render(CLI::App& app, RenderOptions& options, std::vector<std::string>& definitions) {
-    CLI::App* verb = app.add_subcommand("render", "Render a scene to an image with its variance");
+void add_paths(CLI::App* verb, PathOptions& options) {
     verb->add_option("scene", options.scene, "a scene in Mitsuba's XML, or the name of a shipped one")->required();
     verb->add_option("--integrator", options.integrator, "see plumb list integrators")->capture_default_str();
     verb->add_option("--sampler", options.sampler, "independent, stratified or sobol")->capture_default_str();
@@ -228,24 +231,55 @@ void add_render(CLI::App& app, RenderOptions& options, std::vector<std::string>&
             "--strategy", [&](const std::string& text) { options.strategy = parse_strategy(text); },
             "of `bdpt`, one alone and unweighted: s,t for s vertices from the light and t from the sensor")
         ->check(checked(parse_strategy));
-    CLI::Option* spp = verb->add_option("--spp", options.samples_per_pixel, "samples a pixel")
-                           ->check(CLI::Range(1u, 1u << 24))
-                           ->capture_default_str();
-    verb->add_option_function<std::string>(
-            "--time", [&](const std::string& text) { options.time = parse_duration(text); },
-            "instead of --spp: as many passes of 4 samples as fit, e.g. 30s")
-        ->check(checked(parse_duration))
-        ->excludes(spp);
+    verb->add_option("--spp", options.samples_per_pixel, "samples a pixel")
+        ->check(CLI::Range(1u, 1u << 24))
+        ->capture_default_str();
     verb->add_option_function<std::string>(
             "--crop", [&](const std::string& text) { options.crop = parse_crop(text); },
             "only these pixels: x,y,width,height")
         ->check(checked(parse_crop));
-    verb->add_option("-D", definitions, "name=value for $name in the file")->check(checked(parse_definition));
+    verb->add_option_function<std::vector<std::string>>(
+            "-D",
+            [&](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) options.definitions.insert(parse_definition(text));
+            },
+            "name=value for $name in the file")
+        ->check(checked(parse_definition));
     verb->add_flag("--lenient", options.lenient, "replace what Plumb lacks where it can, and list it");
+}
+
+void add_render(CLI::App& app, RenderOptions& options) {
+    CLI::App* verb = app.add_subcommand("render", "Render a scene to an image with its variance");
+    add_paths(verb, options);
+    verb->add_option_function<std::string>(
+            "--time", [&](const std::string& text) { options.time = parse_duration(text); },
+            "instead of --spp: as many passes of 4 samples as fit, e.g. 30s")
+        ->check(checked(parse_duration))
+        ->excludes(verb->get_option("--spp"));
     add_seed_and_threads(verb, options.seed, options.threads);
+    verb->add_option_function<std::string>(
+            "--shard", [&](const std::string& text) { options.shard = parse_shard(text); },
+            "every n-th pass from the i-th on, i/n, into a part of a film: plumb merge joins them. Needs --seed")
+        ->check(checked(parse_shard))
+        ->needs(verb->get_option("--seed"))
+        ->excludes(verb->get_option("--time"));
     verb->add_option("-o,--output", options.out,
                      "the image, in a format that OpenImageIO writes; EXR and TIFF keep all layers [out/SCENE.exr]");
     verb->footer("Example: plumb render cornell_box --sampler sobol --spp 64 -o cornell.exr");
+}
+
+void add_explain(CLI::App& app, ExplainOptions& options) {
+    CLI::App* verb =
+        app.add_subcommand("explain", "Explain one path of a render: vertices, densities, weights, splats");
+    add_paths(verb, options);
+    verb->add_option("x", options.x, "the pixel's column, from the left and 0")->required();
+    verb->add_option("y", options.y, "its row, from the top")->required();
+    verb->add_option("sample", options.sample, "which of its samples, from 0 to spp - 1")->required();
+    add_seed(verb, options.seed);
+    verb->add_option("--json", options.json, "write all of it as JSON to this file, every number to the bit");
+    verb->footer(
+        "The path is that of plumb render with the same options: give it the seed of the image.\n\n"
+        "Example: plumb explain cornell_box 64 100 3 --integrator path --seed 7");
 }
 
 void add_share(CLI::App* verb, const std::string& name, double& share, const std::string& about) {
@@ -287,17 +321,25 @@ void add_report(CLI::App& app, ReportOptions& options) {
     verb->footer("Example: plumb report --run 12 --against 11");
 }
 
-void add_merge(CLI::App& app, MergeOptions& options) {
+void add_merge(CLI::App& app, MergeOptions& options, VerbSet verbs) {
     CLI::App* verb = app.add_subcommand("merge", "Join the shards of a run into the run that they make up");
     verb->add_option("stores", options.stores, "the stores that the shards were verified with")->required();
     add_outputs(verb, options);
+    std::string of_films;
+    if (verbs == VerbSet::shipped) {
+        CLI::Option* image = verb->add_option("-o,--output", options.image,
+                                              "of parts of a film (plumb render --shard) instead: the image");
+        for (const char* other : {"--json", "--junit", "--report", "--store"}) image->excludes(verb->get_option(other));
+        of_films = "\n         plumb merge part-*.film -o picture.exr";
+    }
     verb->footer(
         "Exit code: as of plumb verify. Merging twice changes nothing.\n\n"
-        "Example: plumb merge shard-*.db --store out/results.db");
+        "Example: plumb merge shard-*.db --store out/results.db" +
+        of_films);
 }
 
 // CLI11 says "The following argument was not expected": name it, and the nearest known one.
-std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
+std::string complaint_of(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
     const CLI::App* verb = &app;
     for (const CLI::App* sub : app.get_subcommands()) verb = sub;
     std::vector<std::string> verbs, options;
@@ -339,7 +381,7 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     WeightsOptions weights;
     RenderOptions render;
     CompareOptions compare;
-    std::vector<std::string> definitions;
+    ExplainOptions explain;
     StudyOptions study;
     ReportOptions report;
     MergeOptions merge;
@@ -347,20 +389,21 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     add_list(app, list, verbs);
     if (verbs == VerbSet::shipped) {
         add_converge(app, converge, counts);
-        add_render(app, render, definitions);
+        add_render(app, render);
+        add_explain(app, explain);
         add_compare(app, compare);
         add_integrate(app, integrate);
         add_weights(app, weights);
         add_study(app, study);
     }
     add_report(app, report);
-    add_merge(app, merge);
+    add_merge(app, merge, verbs);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& answer) {
         return Answered{app.exit(answer)};
     } catch (const CLI::ParseError& error) {
-        fmt::print(stderr, "{}: {}\n", name, explain(app, error, argc, argv));
+        fmt::print(stderr, "{}: {}\n", name, complaint_of(app, error, argc, argv));
         return Answered{2};
     }
     converge.n = parse_sample_counts(counts);
@@ -368,8 +411,8 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     if (app.got_subcommand("list")) return list;
     if (app.got_subcommand("report")) return report;
     if (app.got_subcommand("study")) return study;
-    for (const std::string& text : definitions) render.definitions.insert(parse_definition(text));
     if (app.got_subcommand("render")) return render;
+    if (app.got_subcommand("explain")) return explain;
     if (app.got_subcommand("compare")) return compare;
     if (app.got_subcommand("integrate")) return integrate;
     if (app.got_subcommand("weights")) return weights;
