@@ -50,11 +50,11 @@ Verdict same_mean(const Scene& scene, const FilmRegion& region, const PathEstima
 Verdict same_picture(const Subject& subject, const Made& a, const Made& b, const Run& run) {
     const Scene& scene = subject.scene();
     std::vector<Verdict> parts{
-        same_mean(scene, whole_film(scene), *a, *b, run.pick(0.02, 0.005) * subject.mean, {}, run.part("film", 0.5))};
+        same_mean(scene, whole_film(scene), *a, *b, run.pick(0.02, 0.005) * subject.mean, {}, run.part("film", 0.2))};
     for (std::size_t i = 0; i < 4 && parts.back().outcome != Outcome::refuted; ++i) {
         const int x = 16 * static_cast<int>(i % 2), y = 16 * static_cast<int>(i / 2);
         parts.push_back(same_mean(scene, {x, y, 16, 16}, *a, *b, run.pick(0.1, 0.03) * subject.tiles[i], {4},
-                                  run.part(fmt::format("tile {}", i), 0.125)));
+                                  run.part(fmt::format("tile {}", i), 0.2)));
     }
     return all_of(std::move(parts));
 }
@@ -150,7 +150,7 @@ void add_box(Catalogue& catalogue) {
 }
 
 void add_rough(Catalogue& catalogue) {
-    const Subject rough{"rough", "rough glass, metal and coats", rough_scene, 0.0887, {0.117, 0.118, 0.0527, 0.0645}};
+    const Subject rough{"rough", "rough glass, metal and coats", rough_scene, 0.205, {0.268, 0.269, 0.131, 0.151}};
     const Made path = correct<PathTracer>(3), light = correct<LightTracer>(3), bdpt = correct<Bdpt>(3);
     add(catalogue, rough, "path-is-light", "`path` and `light` agree on", same_picture, path, light,
         {{"dim", "Light paths carry 5 % less.", std::make_shared<Scaled>(light, 0.95)}});
