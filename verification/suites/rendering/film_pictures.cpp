@@ -41,7 +41,7 @@ using Pixels = std::vector<Pixel>;
 using Picture = std::function<Pixels(std::uint64_t seed)>;
 
 RenderSettings few_samples(const std::string& sampler, std::uint64_t seed) {
-    return {.sampler = sampler, .samples_per_pass = 4, .passes = 4, .seed = seed, .crop = {0, 0, side, side}};
+    return {.sampler = sampler, .samples_per_pass = 4, .passes = 2, .seed = seed, .crop = {0, 0, side, side}};
 }
 
 Pixels render_pixels(const PathEstimator& estimator, const RenderSettings& settings) {
