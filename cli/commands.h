@@ -19,6 +19,7 @@ Lists catalogue_lists(const Catalogue& catalogue);
 Lists shipped_lists(const Catalogue& catalogue);
 
 /// The verbs: each does its work, prints to standard output and returns the program's exit code. Throws Error.
+int check(const CheckOptions& options);
 int verify(const VerifyOptions& options, const Catalogue& catalogue);
 int list(const ListOptions& options, const Lists& lists);
 int converge(const ConvergeOptions& options);
@@ -32,5 +33,10 @@ int weights(const WeightsOptions& options);
 int report(const ReportOptions& options);
 int merge(const MergeOptions& options);
 int merge_films(const MergeOptions& options);  ///< into an image
+
+/// Of a verb that ends in one verdict.
+constexpr int exit_code(Outcome outcome) {
+    return outcome == Outcome::holds ? 0 : outcome == Outcome::refuted ? 1 : 3;
+}
 
 }  // namespace plumb

@@ -47,10 +47,6 @@ void print_tiles(const ImageComparison& found) {
     print("Tiles that are not decided", found.undecided);
 }
 
-int exit_code(Outcome outcome) {
-    return outcome == Outcome::holds ? 0 : outcome == Outcome::refuted ? 1 : 3;
-}
-
 }  // namespace
 
 int compare(const CompareOptions& options) {

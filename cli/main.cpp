@@ -13,6 +13,7 @@ struct ShippedVerbs : plumb::CatalogueVerbs {
     int operator()(const plumb::MergeOptions& options) const {
         return options.image.empty() ? plumb::merge(options) : plumb::merge_films(options);
     }
+    int operator()(const plumb::CheckOptions& options) const { return plumb::check(options); }
     int operator()(const plumb::IntegrateOptions& options) const { return plumb::integrate(options); }
     int operator()(const plumb::WeightsOptions& options) const { return plumb::weights(options); }
 };

@@ -79,6 +79,14 @@ std::vector<int> parse_crop(const std::string& text) {
     return numbers;
 }
 
+int parse_edges(const std::string& text) {
+    if (text == "all") return 0;
+    const std::vector<int> number = parse_integers(text, 1);
+    if (number.empty() || number[0] < 1)
+        throw Error(fmt::format("'{}' is no length of paths; accepted: 1, 2, … edges, or all", text));
+    return number[0];
+}
+
 std::pair<std::string, std::string> parse_definition(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == 0 || equals == std::string::npos)

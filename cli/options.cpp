@@ -256,16 +256,30 @@ void add_render(CLI::App& app, RenderOptions& options) {
             "instead of --spp: as many passes of 4 samples as fit, e.g. 30s")
         ->check(checked(parse_duration))
         ->excludes(verb->get_option("--spp"));
+    verb->add_option_function<std::string>(
+            "--error", [&](const std::string& text) { options.error = parse_error_target(text); },
+            "instead of --spp: double the passes until the picture's RMSE is at most this, 1e-3, or 1% of the picture")
+        ->check(checked(parse_error_target))
+        ->excludes(verb->get_option("--spp"))
+        ->excludes(verb->get_option("--time"));
+    verb->add_option("--max-spp", options.most_samples, "samples a pixel, where --error gives up")
+        ->check(CLI::Range(64u, 1u << 24))
+        ->needs(verb->get_option("--error"))
+        ->capture_default_str();
     add_seed_and_threads(verb, options.seed, options.threads);
     verb->add_option_function<std::string>(
             "--shard", [&](const std::string& text) { options.shard = parse_shard(text); },
             "every n-th pass from the i-th on, i/n, into a part of a film: plumb merge joins them. Needs --seed")
         ->check(checked(parse_shard))
         ->needs(verb->get_option("--seed"))
-        ->excludes(verb->get_option("--time"));
+        ->excludes(verb->get_option("--time"))
+        ->excludes(verb->get_option("--error"));
     verb->add_option("-o,--output", options.out,
                      "the image, in a format that OpenImageIO writes; EXR and TIFF keep all layers [out/SCENE.exr]");
-    verb->footer("Example: plumb render cornell_box --sampler sobol --spp 64 -o cornell.exr");
+    verb->footer(
+        "Exit code: 0, or 3 when --error was not reached, 2 usage or input error.\n\n"
+        "Examples: plumb render cornell_box --sampler sobol --spp 64 -o cornell.exr\n"
+        "          plumb render cornell_box --integrator path --error 2%");
 }
 
 void add_explain(CLI::App& app, ExplainOptions& options) {
@@ -309,6 +323,26 @@ void add_compare(CLI::App& app, CompareOptions& options) {
         "is\n"
         "tested and what it cannot see.\n\n"
         "Example: plumb compare path.exr bdpt.exr --delta 0.5%");
+}
+
+void add_check(CLI::App& app, CheckOptions& options) {
+    CLI::App* verb = app.add_subcommand("check", "Has an image the radiances that are known of its scene?");
+    verb->add_option("images", options.images, "an image of any renderer, or several independent renders of it")
+        ->required();
+    verb->add_option("--expect", options.expected, "an expected.json (docs/scenes.md), or the name of a shipped scene")
+        ->required();
+    verb->add_option_function<std::string>(
+            "--edges", [&](const std::string& text) { options.edges = parse_edges(text); },
+            "the longest paths that the image counts: 2 (direct light), or all; Plumb's own images say it themselves")
+        ->check(checked(parse_edges));
+    add_share(verb, "--delta", options.settings.delta, "how far a value may be off, of what is known");
+    verb->add_option("--alpha", options.settings.alpha, "the risk of refuting an image that is right")
+        ->check(probability)
+        ->capture_default_str();
+    verb->add_option("--json", options.json, "write all values as JSON to this file");
+    verb->footer(
+        "Exit code: 0 all values are as known, 1 refuted, 2 usage or input error, 3 undecided. docs/compare.md.\n\n"
+        "Example: plumb check render.exr --expect quad_light --edges all");
 }
 
 void add_report(CLI::App& app, ReportOptions& options) {
@@ -360,7 +394,7 @@ std::string complaint_of(const CLI::App& app, const CLI::ParseError& error, int 
     if (dynamic_cast<const CLI::ExcludesError*>(&error) && verb->get_name() == "verify")
         return fmt::format("{}: a resumed run keeps the patterns, seed, alpha, size and shard that it began with",
                            error.what());
-    if (dynamic_cast<const CLI::RequiresError*>(&error))
+    if (dynamic_cast<const CLI::RequiresError*>(&error) && verb->get_name() == "verify")
         return fmt::format("{}: all shards of a run must have the same seed", error.what());
     return error.what();
 }
@@ -382,6 +416,7 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     RenderOptions render;
     CompareOptions compare;
     ExplainOptions explain;
+    CheckOptions check;
     StudyOptions study;
     ReportOptions report;
     MergeOptions merge;
@@ -392,6 +427,7 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
         add_render(app, render);
         add_explain(app, explain);
         add_compare(app, compare);
+        add_check(app, check);
         add_integrate(app, integrate);
         add_weights(app, weights);
         add_study(app, study);
@@ -414,6 +450,7 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     if (app.got_subcommand("render")) return render;
     if (app.got_subcommand("explain")) return explain;
     if (app.got_subcommand("compare")) return compare;
+    if (app.got_subcommand("check")) return check;
     if (app.got_subcommand("integrate")) return integrate;
     if (app.got_subcommand("weights")) return weights;
     if (app.got_subcommand("merge")) return merge;

@@ -10,6 +10,7 @@
 
 #include "estimators/integration.h"
 #include "verification/image_comparison.h"
+#include "verification/known_values.h"
 #include "verification/runner.h"
 
 namespace plumb {
@@ -103,6 +104,8 @@ struct PathOptions {
 
 struct RenderOptions : PathOptions {
     std::optional<std::chrono::duration<double>> time;  ///< instead of samples_per_pixel
+    std::optional<ErrorTarget> error;                   ///< instead
+    std::uint32_t most_samples = 1u << 16;              ///< of a pixel, where the error is not reached
     std::optional<Shard> shard;                         ///< of the passes, into a part of a film
     int threads = 0;
     std::string out;  ///< empty: out/SCENE.exr
@@ -123,6 +126,14 @@ struct CompareOptions {
     std::string json, report = "out/compare.html";
 };
 
+struct CheckOptions {
+    std::vector<std::string> images;  ///< independent renders of one picture
+    std::string expected;             ///< a file, or the name of a shipped scene
+    std::optional<int> edges;         ///< of the longest paths that count; 0: all do; empty: as the images say
+    CheckSettings settings;
+    std::string json;
+};
+
 struct ReportOptions {
     std::string store = "out/results.db", report = "out/report.html";
     std::optional<std::int64_t> run, against;  ///< run: empty for the newest
@@ -134,8 +145,9 @@ struct Answered {
     int exit_code = 0;
 };
 
-using Options = std::variant<Answered, VerifyOptions, RenderOptions, ListOptions, ConvergeOptions, IntegrateOptions,
-                             WeightsOptions, StudyOptions, ReportOptions, MergeOptions, CompareOptions, ExplainOptions>;
+using Options =
+    std::variant<Answered, VerifyOptions, RenderOptions, ListOptions, ConvergeOptions, IntegrateOptions, WeightsOptions,
+                 StudyOptions, ReportOptions, MergeOptions, CompareOptions, ExplainOptions, CheckOptions>;
 
 /// The verbs that need nothing but a catalogue, or all those of the program that Plumb ships.
 enum class VerbSet { of_a_catalogue, shipped };
@@ -154,6 +166,8 @@ ErrorTarget parse_error_target(const std::string& text);
 std::vector<int> parse_strategy(const std::string& text);
 /// "x,y,width,height" in pixels; throws Error.
 std::vector<int> parse_crop(const std::string& text);
+/// "3", or "all" as 0; throws Error.
+int parse_edges(const std::string& text);
 /// "name=value"; throws Error.
 std::pair<std::string, std::string> parse_definition(const std::string& text);
 /// "0,1" or "0,2,-1,1": both ends of each axis; throws Error.

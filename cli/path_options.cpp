@@ -6,10 +6,14 @@
 
 namespace plumb {
 
-std::unique_ptr<PathEstimator> estimator_of(const PathOptions& options) {
+PathLimits limits_of(const PathOptions& options) {
     PathLimits limits{options.max_depth, options.roulette_depth, options.length};
     if (!options.strategy.empty()) limits.strategy = Strategy{options.strategy[0], options.strategy[1]};
-    return make_integrator(options.integrator, limits);
+    return limits;
+}
+
+std::unique_ptr<PathEstimator> estimator_of(const PathOptions& options) {
+    return make_integrator(options.integrator, limits_of(options));
 }
 
 Scene load_scene(const PathOptions& options) {

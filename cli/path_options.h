@@ -6,6 +6,7 @@
 
 namespace plumb {
 
+PathLimits limits_of(const PathOptions& options);
 /// The integrator that the options name, held to their limits.
 std::unique_ptr<PathEstimator> estimator_of(const PathOptions& options);
 Scene load_scene(const PathOptions& options);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/file.h"
+#include "integrators/provenance.h"
 #include "reports/json.h"
 
 namespace plumb {
@@ -30,6 +31,7 @@ Image fit_for(const std::filesystem::path& file, const Image& image) {
 void write_picture(const std::filesystem::path& file, const Film& film, const std::map<std::string, std::string>& of) {
     Image image = film.image();
     image.metadata = of;
+    image.metadata.merge(metadata_of(error_of(film)));
     if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
     write_image(file, fit_for(file, image));
 }

@@ -8,8 +8,8 @@
 
 namespace plumb {
 
-/// The film's image in the format of the file's name: every layer and the metadata where it holds floats and names,
-/// else the colours that a person looks at. Missing folders are made.
+/// The film's image in the format of the file's name: every layer and the metadata, the film's error among them, where
+/// it holds floats and names, else the colours that a person looks at. Missing folders are made.
 void write_picture(const std::filesystem::path& file, const Film& film, const std::map<std::string, std::string>& of);
 
 /// Beside an output, in `file.json`: what is no function of scene and settings, and what was counted.

@@ -8,6 +8,8 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/parallel.h"
+#include "integrators/provenance.h"
+#include "integrators/render_until.h"
 #include "scenes/film_part.h"
 #include "scenes/shipped.h"
 
@@ -21,47 +23,44 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Scenes often lie in a folder of their own name, as scene.xml.
-std::string name_of(const fs::path& file) {
-    return file.stem() == "scene" ? fs::absolute(file).parent_path().filename().string() : file.stem().string();
-}
-
 void print_notes(const description::Scene& scene) {
     for (const description::Note& note : scene.notes)
         fmt::print("{}:{}: {} {}\n", note.place.file, note.place.line,
                    note.kind == description::Note::Kind::replaced ? "replaced:" : "not followed:", note.text);
 }
 
-// What the picture is a function of: no dates, no seconds, so that the same seed gives the same file.
-std::map<std::string, std::string> metadata(const RenderOptions& options, const fs::path& file,
-                                            const RenderSettings& settings, const Scene& scene, const RunInfo& info) {
-    const FilmRegion& crop = settings.crop;
-    std::map<std::string, std::string> of{
-        {"plumb:scene", name_of(file)},
-        {"plumb:scene_hash", fmt::format("{:016x}", scene.description().content_hash)},
-        {"plumb:integrator", options.integrator},
-        {"plumb:sampler", settings.sampler},
-        {"plumb:max_depth", fmt::format("{}", options.max_depth)},
-        {"plumb:rr_depth", fmt::format("{}", options.roulette_depth)},
-        {"plumb:seed", fmt::format("{}", settings.seed)},
-        {"plumb:spp", fmt::format("{}", settings.passes * settings.samples_per_pass)},
-        {"plumb:replicates", fmt::format("{}", settings.passes)},
-        {"plumb:film", fmt::format("{}x{}", scene.sensor().film().width, scene.sensor().film().height)},
-        {"plumb:crop", fmt::format("{},{},{},{}", crop.x, crop.y, crop.width, crop.height)},
-        {"Software", fmt::format("Plumb {}", info.version)}};
-    if (options.length > 0) of["plumb:length"] = fmt::format("{}", options.length);
-    if (!options.strategy.empty())
-        of["plumb:strategy"] = fmt::format("{},{}", options.strategy[0], options.strategy[1]);
-    return of;
+// What the picture is a function of.
+Provenance provenance(const RenderOptions& options, const RenderSettings& settings, const Scene& scene,
+                      const std::string& version) {
+    return {.scene = scene_name(scene_file(options.scene)),
+            .scene_hash = fmt::format("{:016x}", scene.description().content_hash),
+            .integrator = options.integrator,
+            .sampler = settings.sampler,
+            .version = version,
+            .limits = limits_of(options),
+            .seed = settings.seed,
+            .samples_per_pixel = std::uint64_t{settings.passes} * settings.samples_per_pass,
+            .replicates = settings.passes,
+            .film = scene.sensor().film(),
+            .crop = settings.crop};
+}
+
+std::string text_of(const FilmError& error) {
+    return fmt::format("relative error {:.3g} % (RMSE {:.3g})", 100 * error.relative, error.rmse);
+}
+
+std::string text_of(const ErrorTarget& target) {
+    return target.relative ? fmt::format("{:.3g} %", 100 * target.error) : fmt::format("RMSE {:.3g}", target.error);
 }
 
 // Says how far the render is; ends it when its time is over.
 class Watch {
 public:
-    explicit Watch(const std::optional<std::chrono::duration<double>>& limit) : limit_(limit) {}
+    Watch(const std::optional<std::chrono::duration<double>>& limit, const std::optional<ErrorTarget>& target)
+        : limit_(limit), target_(target) {}
 
     bool operator()(const RenderProgress& progress) {
-        const double spent = seconds_since(start_);
+        const double spent = seconds();
         const double share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
         const double left = limit_ ? limit_->count() - spent : spent * (1 - share) / share;
         if (seconds_since(shown_) > 0.1) {
@@ -71,13 +70,31 @@ public:
         }
         return !limit_ || left > 0;
     }
+    // Squared errors fall as 1/passes, and passes double.
+    void look(std::uint64_t passes, const FilmError& error) {
+        const double share = (target_->relative ? error.relative : error.rmse) / target_->error;
+        const double factor = std::exp2(std::ceil(std::log2(std::max(1.0, share * share))));
+        line_.show(fmt::format("{} passes, {}, about {:.0f} s left", passes, text_of(error), seconds() * (factor - 1)));
+    }
     [[nodiscard]] double seconds() const { return seconds_since(start_); }
 
 private:
     std::optional<std::chrono::duration<double>> limit_;
+    std::optional<ErrorTarget> target_;
     Clock::time_point start_ = Clock::now(), shown_ = start_;
     ProgressLine line_;
 };
+
+RenderedUntil rendered(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings,
+                       const RenderOptions& options, Watch& watch) {
+    if (options.error)
+        return render_until(scene, estimator, settings, *options.error,
+                            options.most_samples / settings.samples_per_pass,
+                            [&](std::uint64_t passes, const FilmError& error) { watch.look(passes, error); });
+    Rendered all = render(scene, estimator, settings, std::ref(watch));
+    const FilmError error = error_of(all.film);
+    return {std::move(all), error, true};
+}
 
 std::vector<Field> side_record(const Rendered& rendered, const RunInfo& info) {
     std::vector<Field> record{{"started", info.started},
@@ -90,7 +107,7 @@ std::vector<Field> side_record(const Rendered& rendered, const RunInfo& info) {
 
 fs::path output_of(const RenderOptions& options, const fs::path& scene) {
     if (!options.out.empty()) return options.out;
-    const std::string name = name_of(scene);
+    const std::string name = scene_name(scene);
     const auto& shard = options.shard;
     return fs::path("out") /
            (shard ? fmt::format("{}-{}-of-{}.film", name, shard->index, shard->count) : name + ".exr");
@@ -111,25 +128,29 @@ int render(const RenderOptions& options) {
     if (options.shard) settings = part_of(settings, options.shard->index, options.shard->count);
     print_notes(scene.description());
 
-    std::optional<Rendered> rendered;
+    std::optional<RenderedUntil> done;
     {
-        Watch watch(options.time);
-        with_threads(info.threads, [&] { rendered = render(scene, *estimator, settings, std::ref(watch)); });
+        Watch watch(options.time, options.error);
+        with_threads(info.threads, [&] { done = rendered(scene, *estimator, settings, options, watch); });
         info.seconds = watch.seconds();
     }
-    const auto passes = static_cast<std::uint32_t>(rendered->film.replicates());
-    if (options.time) settings.passes = passes;
-    const auto of = metadata(options, file, settings, scene, info);
+    const auto& [picture, error, met] = *done;
+    if (options.time || options.error) settings.passes = static_cast<std::uint32_t>(picture.film.replicates());
+    const auto of = metadata_of(provenance(options, settings, scene, info.version));
     if (options.shard)
         write_film_part(out, {of, static_cast<std::uint32_t>(options.shard->index),
-                              static_cast<std::uint32_t>(options.shard->count), rendered->rays, rendered->film});
+                              static_cast<std::uint32_t>(options.shard->count), picture.rays, picture.film});
     else
-        write_picture(out, rendered->film, of);
-    write_side_record(out, side_record(*rendered, info));
-    print_bad_values(rendered->film.bad_values());
-    fmt::print("{} samples a pixel, {:.3g} rays, {:.1f} s, seed {}; {}\n", passes * settings.samples_per_pass,
-               static_cast<double>(rendered->rays), info.seconds, info.seed, out.string());
-    return 0;
+        write_picture(out, picture.film, of);
+    write_side_record(out, side_record(picture, info));
+    print_bad_values(picture.film.bad_values());
+    const std::uint64_t samples = picture.film.replicates() * settings.samples_per_pass;
+    fmt::print("{} samples a pixel, {:.3g} rays, {:.1f} s, seed {}, {}; {}\n", samples,
+               static_cast<double>(picture.rays), info.seconds, info.seed, text_of(error), out.string());
+    if (met) return 0;
+    fmt::print("the error {} was not reached with {} samples a pixel (--max-spp): fireflies, or too few samples\n",
+               text_of(*options.error), samples);
+    return 3;
 }
 
 }  // namespace plumb

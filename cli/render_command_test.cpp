@@ -96,6 +96,25 @@ TEST_F(RenderCommand, EndsWhenItsTimeIsOver) {
     EXPECT_EQ(image("a.png").channels.size(), 3u);
 }
 
+TEST_F(RenderCommand, EndsWhenItsErrorIsReached) {
+    const Said said = plumb("render quad_light --error 5% --crop 40,40,32,32 --seed 1 -o a.exr");
+    EXPECT_EQ(said.exit_code, 0) << said.error;
+    EXPECT_THAT(said.out, HasSubstr("relative error "));
+    const auto error = [&](const char* name) { return std::stod(image(name).metadata.at("plumb:error")); };
+    EXPECT_LE(error("a.exr"), 0.05);
+    EXPECT_GE(std::stoi(image("a.exr").metadata.at("plumb:replicates")), 16);
+    EXPECT_EQ(plumb("render quad_light --error 5% --crop 40,40,32,32 --seed 1 --threads 1 -o b.exr").exit_code, 0);
+    EXPECT_EQ(read("a.exr"), read("b.exr"));
+    const Said missed = plumb("render quad_light --error 1e-9 --max-spp 100 --crop 40,40,32,32 -o c.exr");
+    EXPECT_EQ(missed.exit_code, 3) << missed.error;
+    EXPECT_THAT(missed.out, HasSubstr("the error RMSE 1e-09 was not reached with 100 samples a pixel (--max-spp)"));
+    EXPECT_EQ(image("c.exr").metadata.at("plumb:spp"), "100");
+    EXPECT_THAT(complaint("render quad_light --error 5% --spp 4 -o d.exr"), HasSubstr("--error"));
+    EXPECT_THAT(complaint("render quad_light --error 5% --time 4s -o d.exr"), HasSubstr("--error"));
+    EXPECT_THAT(complaint("render quad_light --max-spp 100 -o d.exr"), HasSubstr("--error"));
+    EXPECT_THAT(complaint("render quad_light --error much -o d.exr"), HasSubstr("'much' is not an error"));
+}
+
 TEST_F(RenderCommand, NamesWhatIsWrong) {
     EXPECT_THAT(complaint("render quad_ligth -o a.exr"), HasSubstr("did you mean 'quad_light'"));
     EXPECT_THAT(complaint("render missing.xml -o a.exr"), HasSubstr("missing.xml"));

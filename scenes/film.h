@@ -78,6 +78,8 @@ public:
     /// Of the mean; infinite for fewer than two replicates.
     [[nodiscard]] double variance_of_mean(int x, int y, std::size_t channel) const;
     [[nodiscard]] const BadValues& bad_values() const { return bad_; }
+    [[nodiscard]] FilmSize size() const { return size_; }
+    [[nodiscard]] const std::vector<FilmLayer>& layers() const { return layers_; }
 
     /// Channels R, G, B of the first layer, `variance.R` … of its mean, `samples`, then `layer.channel` of the others.
     [[nodiscard]] Image image() const;

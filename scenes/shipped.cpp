@@ -53,4 +53,8 @@ fs::path scene_file(const std::string& name_or_path) {
     return shipped_folder() / name_or_path / "scene.xml";
 }
 
+std::string scene_name(const fs::path& file) {
+    return file.filename() == "scene.xml" ? fs::absolute(file).parent_path().filename().string() : file.stem().string();
+}
+
 }  // namespace plumb

@@ -24,4 +24,7 @@ std::vector<std::string> shipped_scene_names();
 /// The file of this path if there is one, else that of the shipped scene of this name. Throws Error naming the nearest.
 std::filesystem::path scene_file(const std::string& name_or_path);
 
+/// What a scene's file is called; scene.xml goes by its folder.
+std::string scene_name(const std::filesystem::path& file);
+
 }  // namespace plumb

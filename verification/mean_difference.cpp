@@ -111,7 +111,7 @@ MeanDifference difference_of(const DifferenceSums& sums, const DifferenceSums& a
     found.difference = found.a - found.b;
     const double variance = (sums.variance_a + sums.variance_b) * rules.inflation;
     const double rounding = rules.rounding * (std::abs(found.a) + std::abs(found.b));
-    const double excess = std::max(0.0, std::abs(found.difference) - rounding);
+    const double excess = std::max(0.0, std::abs(found.difference) - rounding - rules.epsilon);
     found.standard_error = std::sqrt(variance) / n;
     found.degrees = std::numeric_limits<double>::infinity();
     if (variance == 0) {  // both are known: they are equal or not

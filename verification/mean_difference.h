@@ -49,6 +49,7 @@ struct DifferenceRules {
     double degrees_a = 0, degrees_b = 0;  ///< of one pixel's variances
     double inflation = 1;                 ///< of the variance, by correlated neighbours
     double rounding = 0;                  ///< relative: differences that are none
+    double epsilon = 0;                   ///< absolute: a difference that is allowed, and refutes nothing
     double beta = 0.01;
     double delta = 0;  ///< absolute
 };

@@ -1,0 +1,101 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/command_test.h"
+#include "core/image.h"
+
+namespace plumb {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class CheckCommand : public CommandTest {
+protected:
+    /// A picture of the file's values times a factor; its variance layers stay as they are.
+    void brighten(const std::string& from, float factor, const std::string& to) const {
+        Image image = read_image(folder / from);
+        for (std::size_t i = 0; i < image.values.size(); i += image.channels.size())
+            for (std::size_t c = 0; c < 3; ++c) image.values[i + c] *= factor;
+        write_image(folder / to, image);
+    }
+};
+
+TEST_F(CheckCommand, HonestRendersHoldAndBrighterOnesAreRefuted) {
+    struct Case {
+        const char *scene, *how, *delta;
+        float brighter;
+    };
+    for (const auto& [scene, how, delta, brighter] :
+         {Case{"furnace_box", "path --max-depth 1 --spp 16", "1%", 1.02f},
+          Case{"furnace_box", "path --max-depth 2 --sampler sobol --spp 256", "1%", 1.04f},
+          Case{"point_light", "path --spp 16", "1%", 1.02f},
+          Case{"disk_light", "direct-emitters --sampler sobol --spp 256", "4%", 1.12f}}) {
+        const std::string name = scene, call = "render " + name + " --integrator " + how + " --seed 3 -o a.exr";
+        ASSERT_EQ(plumb(call).exit_code, 0) << call;
+        const std::string check = " --expect " + name + " --delta " + delta + " --json c.json";
+        const Said holds = plumb("check a.exr" + check);
+        EXPECT_EQ(holds.exit_code, 0) << call << "\n" << holds.out << holds.error;
+        EXPECT_EQ(nlohmann::json::parse(read("c.json"))["outcome"], "holds");
+        brighten("a.exr", brighter, "b.exr");
+        const Said refuted = plumb("check b.exr" + check);
+        EXPECT_EQ(refuted.exit_code, 1) << call << "\n" << refuted.out << refuted.error;
+        EXPECT_EQ(nlohmann::json::parse(read("c.json"))["outcome"], "refuted");
+    }
+}
+
+TEST_F(CheckCommand, IsUndecidedWhereNoiseIsLargerThanDelta) {
+    ASSERT_EQ(plumb("render quad_light --integrator direct-bsdf --spp 16 --seed 3 -o a.exr").exit_code, 0);
+    const Said said = plumb("check a.exr --expect quad_light --delta 1%");
+    EXPECT_EQ(said.exit_code, 3) << said.out;
+    EXPECT_THAT(said.out, AllOf(HasSubstr("heavy tails"), HasSubstr("undecided: 21 of 21 values are not decided")));
+}
+
+class ForeignImage : public CheckCommand {
+protected:
+    void SetUp() override {
+        write("e.json", R"({"question": "?", "film": [8, 8], "radiances": [
+            {"film": [4, 4], "over": "point", "edges": 2, "value": [1, 2, 4], "error": 0, "derivation": "so"}]})");
+        for (int i = 0; i < 4; ++i) render("r" + std::to_string(i) + ".exr", 1 + 0.001f * static_cast<float>(i));
+    }
+    void render(const std::string& name, float level, int size = 8) const {
+        Image image{size, size, {"R", "G", "B"}, {}};
+        for (int i = 0; i < size * size; ++i)
+            for (const float c : {1.f, 2.f, 4.f}) image.values.push_back(c * level);
+        write_image(folder / name, image);
+    }
+};
+
+TEST_F(ForeignImage, TellsItsErrorBySeveralRendersOrNotAtAll) {
+    const Said alone = plumb("check r3.exr --expect e.json --edges 2");
+    EXPECT_EQ(alone.exit_code, 0) << alone.out << alone.error;
+    EXPECT_THAT(alone.out, HasSubstr("noise counts as deviation"));
+    EXPECT_EQ(plumb("check r3.exr --expect e.json --edges 2 --delta 0.1%").exit_code, 1);
+    EXPECT_EQ(plumb("check r0.exr r1.exr r2.exr r3.exr --expect e.json --edges 2").exit_code, 0);
+    // Their mean is 1.0015 with a standard error of 0.0006.
+    EXPECT_EQ(plumb("check r0.exr r1.exr r2.exr r3.exr --expect e.json --edges 2 --delta 0.1%").exit_code, 3);
+}
+
+TEST_F(ForeignImage, IsToldWhatIsWrong) {
+    render("small.exr", 1, 4);
+    write_image(folder / "grey.exr", {8, 8, {"Y"}, std::vector<float>(64, 1.f)});
+    EXPECT_THAT(complaint("check r0.exr --expect e.json"),
+                StartsWith("plumb: r0.exr: does not say how long its paths may be; give --edges"));
+    EXPECT_THAT(complaint("check r0.exr --expect e.json --edges 3"), HasSubstr("up to 3 edges; of these it does: 2"));
+    EXPECT_THAT(complaint("check r0.exr --expect e.json --edges all"), HasSubstr("paths of any length"));
+    EXPECT_THAT(complaint("check r0.exr --expect e.json --edges none"), HasSubstr("'none'"));
+    EXPECT_THAT(complaint("check small.exr --expect e.json --edges 2"),
+                HasSubstr("small.exr: is 4x4 pixels, the film of e.json 8x8"));
+    EXPECT_THAT(complaint("check grey.exr --expect e.json --edges 2"), HasSubstr("grey.exr: has channels Y"));
+    EXPECT_THAT(complaint("check r0.exr --expect quad_ligth --edges 2"), HasSubstr("did you mean 'quad_light'"));
+    EXPECT_THAT(complaint("check r0.exr --expect none.json --edges 2"), HasSubstr("none.json"));
+    EXPECT_THAT(complaint("check none.exr --expect e.json --edges 2"), HasSubstr("none.exr"));
+    EXPECT_THAT(complaint("check r0.exr"), HasSubstr("--expect"));
+    ASSERT_EQ(plumb("render quad_light --integrator aov --spp 2 -o aov.exr").exit_code, 0);
+    EXPECT_THAT(complaint("check aov.exr --expect quad_light"), HasSubstr("aov.exr: an image of `aov`"));
+}
+
+}  // namespace
+}  // namespace plumb
