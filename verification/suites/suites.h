@@ -38,6 +38,7 @@ void add_light_rate_claims(Catalogue& catalogue);
 void add_light_ray_claims(Catalogue& catalogue);
 void add_camera_claims(Catalogue& catalogue);
 void add_film_claims(Catalogue& catalogue);
+void add_film_picture_claims(Catalogue& catalogue);
 void add_direct_closed_form_claims(Catalogue& catalogue);
 void add_direct_known_claims(Catalogue& catalogue);
 void add_direct_pixel_claims(Catalogue& catalogue);
@@ -49,6 +50,7 @@ void add_surface_claims(Catalogue& catalogue);
 void add_texture_claims(Catalogue& catalogue);
 void add_transport_closed_claims(Catalogue& catalogue);
 void add_transport_equal_claims(Catalogue& catalogue);
+void add_transport_radiosity_claims(Catalogue& catalogue);
 void add_transport_sampler_claims(Catalogue& catalogue);
 void add_transport_weight_claims(Catalogue& catalogue);
 void add_bsdf_model_claims(Catalogue& catalogue);  ///< every model against its own words

@@ -1,6 +1,6 @@
-// Light and bidirectional tracing against closed forms. Inside of a diffuse sphere of albedo ρ everything is as bright
-// as everything else: light of emission L_e after k − 1 reflections is L_e ρ^(k−1), that of a point of intensity I at
-// the centre, E = I/R² everywhere, is E ρ^(k−1)/π for k ≥ 2 edges.
+// Path, light and bidirectional tracing against closed forms. Inside of a diffuse sphere of albedo ρ everything is as
+// bright as everything else: light of emission L_e after k − 1 reflections is L_e ρ^(k−1), that of a point of intensity
+// I at the centre, E = I/R² everywhere, is E ρ^(k−1)/π for k ≥ 2 edges.
 
 #include "integrators/render.h"
 #include "scenes/warps.h"
@@ -18,22 +18,38 @@ PathLimits limits() {
     return {.max_edges = longest, .roulette_edges = 3};
 }
 
+struct Sphere {
+    const Scene& (*scene)();
+    double first;  ///< paths of k edges, k ≥ 2, bring first · 2^-k
+};
+constexpr Sphere glowing{glowing_sphere, 1}, around_point{sphere_around_point, 2};
+
+/// How finely an integrator is held to them, relative; `constant`: every path of its is what it should be.
+struct Precision {
+    double quick, full;
+    bool constant = false;
+};
+
 using Made = std::shared_ptr<const PathEstimator>;
 
 std::uint64_t cap(const Run& run) {
     return run.pick(std::uint64_t{1} << 14, std::uint64_t{1} << 19);
 }
 
-// Light of paths of k edges, k ≥ 2: first · 2^-k. The sums 1 − 2^-D of limited depths follow.
-Verdict lengths_are(const Scene& scene, const PathEstimator& estimator, double first, const Run& run) {
+// The sums 1 − 2^-D of limited depths follow.
+Verdict lengths_are(const Sphere& sphere, const PathEstimator& estimator, const Precision& precision, const Run& run) {
+    const Scene& scene = sphere.scene();
     std::vector<Verdict> parts;
     for (int k = 2; k <= longest; ++k) {
-        const double reference = first * std::pow(0.5, k);
+        const double reference = sphere.first * std::pow(0.5, k);
         const RegionMean mean{scene, estimator, whole_film(scene), 16, k};
-        parts.push_back(mean_is(
-            [&](RandomStream& random) { return mean.draw(random); },
-            {.reference = reference, .delta = run.pick(0.05, 0.005) * reference, .epsilon = 2e-6, .cap = cap(run)},
-            run.part(fmt::format("{}", k), 1.0 / (longest - 1))));
+        parts.push_back(mean_is([&](RandomStream& random) { return mean.draw(random); },
+                                {.reference = reference,
+                                 .delta = run.pick(precision.quick, precision.full) * reference,
+                                 .epsilon = 1e-5 * reference,
+                                 .cap = precision.constant ? std::uint64_t{256} : cap(run),
+                                 .zero_variance = precision.constant},
+                                run.part(fmt::format("{}", k), 1.0 / (longest - 1))));
     }
     return all_of(std::move(parts));
 }
@@ -81,18 +97,19 @@ struct Defect {
     Made estimator;
 };
 
-void add_lengths(Catalogue& catalogue, const std::string& name, const std::string& title, const Scene& (*scene)(),
-                 double first, const Made& estimator, const std::vector<Defect>& defects) {
+void add_lengths(Catalogue& catalogue, const std::string& name, const std::string& title, const Sphere& sphere,
+                 const Precision& precision, const Made& estimator, const std::vector<Defect>& defects) {
+    const auto check = [=](const Made& subject) {
+        return [=](const Run& run) { return lengths_are(sphere, *subject, precision, run); };
+    };
     Claim claim{
         .id = "render/" + name,
         .statement = title,
         .source = "ours, verification/suites/rendering/transport_closed.cpp",
         .kind = Kind::mean,
-        .check = [=](const Run& run) { return lengths_are(scene(), *estimator, first, run); },
+        .check = check(estimator),
     };
-    for (const Defect& defect : defects)
-        claim.mutants.push_back({defect.id, defect.sentence,
-                                 [=](const Run& run) { return lengths_are(scene(), *defect.estimator, first, run); }});
+    for (const Defect& defect : defects) claim.mutants.push_back({defect.id, defect.sentence, check(defect.estimator)});
     catalogue.add(std::move(claim));
 }
 
@@ -105,13 +122,44 @@ StrategyWeight of_wrong_vertex() {
     };
 }
 
-}  // namespace
+// A light's path lands on a pixel of the film once in five times; one from the camera always meets light.
+constexpr Precision coarse{0.05, 0.005}, fine{0.005, 0.001}, exact{0.005, 0.001, true};
 
-void add_transport_closed_claims(Catalogue& catalogue) {
-    const std::vector<Defect> of_light{
+const std::string own_light = "paths of k edges within a sphere of albedo ½ that emits ½ bring 2^-k.";
+const std::string of_point = "paths of k edges within a sphere of albedo ½ around a point bring 2^(1-k).";
+
+void add_path(Catalogue& catalogue) {
+    const auto tracer = [](int max_edges, double (*weight)(double, double) = mis_weight) {
+        auto path = std::make_shared<PathTracer>(PathLimits{.max_edges = max_edges, .roulette_edges = longest});
+        path->next_event.weight = weight;
+        return path;
+    };
+    add_lengths(catalogue, "path/glowing-sphere", "By path tracing, " + own_light, glowing, fine, tracer(longest),
+                {{"met-twice", "Light that is met counts in full beside the emitters' samples.",
+                  tracer(longest, [](double, double) { return 1.0; })}});
+    add_lengths(catalogue, "path/sphere-around-point", "By path tracing, " + of_point, around_point, exact,
+                tracer(longest), {{"one-edge-less", "Paths end behind one edge less.", tracer(longest - 1)}});
+}
+
+void add_light(Catalogue& catalogue) {
+    const std::vector<Defect> defects{
         {"without-importance", "The sensor's importance is left out at connections.",
          made<LightTracer>([](LightTracer& tracer) { tracer.connection = without_importance; })}};
-    const std::vector<Defect> of_bdpt{
+    add_lengths(catalogue, "light/glowing-sphere", "By light tracing, " + own_light, glowing, coarse,
+                made<LightTracer>(), defects);
+    add_lengths(catalogue, "light/sphere-around-point", "By light tracing, " + of_point, around_point, coarse,
+                made<LightTracer>(), defects);
+    catalogue.add({.id = "render/light/picture",
+                   .statement = "A picture by light tracing shares its light paths among its pixels.",
+                   .source = "ours, integrators/render.cpp",
+                   .kind = Kind::mean,
+                   .check = [](const Run& run) { return picture_is(made<LightTracer>(), run); },
+                   .mutants = {{"unshared", "Splats are not divided by the number of light paths.",
+                                [](const Run& run) { return picture_is(std::make_shared<Unshared>(), run); }}}});
+}
+
+void add_bdpt(Catalogue& catalogue) {
+    const std::vector<Defect> defects{
         {"inverted-jacobian", "Connections are multiplied by d² instead of 1/d².", made<Bdpt>([](Bdpt& bdpt) {
              bdpt.rules.falloff = [](const SubpathVertex& x, const SubpathVertex& y) { return 1 / falloff(x, y); };
          })},
@@ -122,25 +170,18 @@ void add_transport_closed_claims(Catalogue& catalogue) {
                  return t == 2 && chain.edges() == 3 ? 0 : strategy_weight(chain, t);
              };
          })}};
-    add_lengths(catalogue, "light/glowing-sphere",
-                "By light tracing, paths of k edges within a sphere of albedo ½ that emits ½ bring 2^-k.",
-                glowing_sphere, 1, made<LightTracer>(), of_light);
-    add_lengths(catalogue, "light/sphere-around-point",
-                "By light tracing, paths of k edges within a sphere of albedo ½ around a point bring 2^(1-k).",
-                sphere_around_point, 2, made<LightTracer>(), of_light);
-    add_lengths(catalogue, "bdpt/glowing-sphere",
-                "By bidirectional tracing, paths of k edges within a sphere of albedo ½ that emits ½ bring 2^-k.",
-                glowing_sphere, 1, made<Bdpt>(), of_bdpt);
-    add_lengths(catalogue, "bdpt/sphere-around-point",
-                "By bidirectional tracing, paths of k edges within a sphere of albedo ½ around a point bring 2^(1-k).",
-                sphere_around_point, 2, made<Bdpt>(), {of_bdpt.back()});
-    catalogue.add({.id = "render/light/picture",
-                   .statement = "A picture by light tracing shares its light paths among its pixels.",
-                   .source = "ours, integrators/render.cpp",
-                   .kind = Kind::mean,
-                   .check = [](const Run& run) { return picture_is(made<LightTracer>(), run); },
-                   .mutants = {{"unshared", "Splats are not divided by the number of light paths.",
-                                [](const Run& run) { return picture_is(std::make_shared<Unshared>(), run); }}}});
+    add_lengths(catalogue, "bdpt/glowing-sphere", "By bidirectional tracing, " + own_light, glowing, fine, made<Bdpt>(),
+                defects);
+    add_lengths(catalogue, "bdpt/sphere-around-point", "By bidirectional tracing, " + of_point, around_point, fine,
+                made<Bdpt>(), {defects.back()});
+}
+
+}  // namespace
+
+void add_transport_closed_claims(Catalogue& catalogue) {
+    add_path(catalogue);
+    add_light(catalogue);
+    add_bdpt(catalogue);
 }
 
 }  // namespace plumb

@@ -32,7 +32,7 @@ const Scene& sphere_around_point();
 const Scene& box_scene();
 /// Rough metal, rough glass, a rough coat and a floor, under a constant sky, with a point light.
 const Scene& rough_scene();
-/// A floor lit by a sphere light within a ball of glass and by a mirror, both out of the camera's sight.
+/// A floor lit by a sphere light within a ball of glass and by mirrors, all out of the camera's sight.
 const Scene& caustic_scene();
 /// An octahedron with normals that lean towards a rectangle, which lights it, and nothing else.
 const Scene& smooth_normals_scene();

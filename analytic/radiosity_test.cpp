@@ -1,0 +1,79 @@
+#include "analytic/radiosity.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "analytic/irradiance.h"
+#include "core/error.h"
+
+namespace plumb {
+namespace {
+
+/// The unit cube from inside: floor, ceiling, then the walls.
+std::vector<RadiosityPlate> cube(const std::array<double, 6>& albedos, const std::array<double, 6>& emissions) {
+    std::vector<RadiosityPlate> faces{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0, 0}, {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, 0, 0},
+                                      {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0, 0}, {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}, 0, 0},
+                                      {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 0}, {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, 0, 0}};
+    for (std::size_t i = 0; i < 6; ++i) {
+        faces[i].albedo = albedos[i];
+        faces[i].emission = emissions[i];
+    }
+    return faces;
+}
+constexpr std::array<double, 6> uneven{0.6, 0.3, 0.7, 0.4, 0.5, 0.5}, lit_from_above{0, 1, 0, 0, 0, 0};
+
+std::vector<RadiosityPlate> two_plates() {
+    return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0, 0.8}, {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, 1, 0.5}};
+}
+
+TEST(Radiosity, InAClosedBoxThatShinesEverywhereIsAGeometricSeries) {
+    std::array<double, 6> halves{}, ones{};
+    halves.fill(0.5);
+    ones.fill(1);
+    for (const int reflections : {1, 3, -1}) {
+        const Radiosity radiosity(cube(halves, ones), 3, reflections);
+        const double truth = reflections < 0 ? 2 : 2 - std::pow(0.5, reflections);
+        EXPECT_NEAR(radiosity.radiance(0, 0.5, 0.5), truth, 1e-7) << reflections;
+        EXPECT_NEAR(radiosity.radiance(3, 0.01, 0.3), truth, 1e-6) << reflections;
+    }
+}
+
+TEST(Radiosity, OfOneReflectionIsIrradiance) {
+    const auto plates = two_plates();
+    const Radiosity radiosity(plates, 4, 1);
+    const RadiosityPlate& light = plates[1];
+    const double irradiance = polygon_irradiance(
+        {0.2, 0.3, 0}, {0, 0, 1}, {light.point(0, 0), light.point(1, 0), light.point(1, 1), light.point(0, 1)});
+    EXPECT_NEAR(radiosity.radiance(0, 0.2, 0.3), 0.8 * irradiance / std::numbers::pi, 1e-8);
+}
+
+// In a closed box all that is emitted is absorbed: since k is symmetric and ∫ k dA = 1, ∫ (1/ρ − 1) (L − L_e) dA = ∫
+// L_e dA.
+TEST(Radiosity, InAClosedBoxIsAbsorbedAsItIsEmitted) {
+    for (const int n : {4, 8}) {
+        const Radiosity radiosity(cube(uneven, lit_from_above), n);
+        double absorbed = 0;
+        for (std::size_t i = 0; i < 6; ++i)
+            absorbed += (1 / uneven[i] - 1) * (radiosity.integral(i) - lit_from_above[i]);
+        EXPECT_NEAR(absorbed, 1, n == 4 ? 5e-4 : 6e-5) << n;
+    }
+}
+
+TEST(Radiosity, ConvergesInTheDegree) {
+    const auto between_plates = [](int n) { return Radiosity(two_plates(), n).radiance(0, 0.2, 0.3); };
+    EXPECT_NEAR(between_plates(6), between_plates(10), 1e-9);
+    const auto in_cube = [](int n) { return Radiosity(cube(uneven, lit_from_above), n); };
+    const Radiosity coarse = in_cube(6), fine = in_cube(8);
+    EXPECT_NEAR(coarse.radiance(0, 0.5, 0.5), fine.radiance(0, 0.5, 0.5), 2e-6);
+    EXPECT_NEAR(coarse.radiance(2, 0.5, 0.5), fine.radiance(2, 0.5, 0.5), 5e-6);
+}
+
+TEST(Radiosity, RefusesWhatNeverEnds) {
+    auto plates = two_plates();
+    plates[1].albedo = 1;
+    EXPECT_THROW(Radiosity(plates, 4), Error);
+}
+
+}  // namespace
+}  // namespace plumb
