@@ -5,34 +5,13 @@
 #include <cstring>
 #include <filesystem>
 
+#include "cli/option_adders.h"
 #include "cli/version.h"
 #include "core/error.h"
 #include "core/sample_counts.h"
 
 namespace plumb {
 namespace {
-
-// Turns an Error of one of our parsers into CLI11's, which names the option.
-template <class Parse>
-auto checked(Parse parse) {
-    return [parse](const std::string& text) -> std::string {
-        try {
-            parse(text);
-            return {};
-        } catch (const Error& error) {
-            return error.what();
-        }
-    };
-}
-
-const CLI::Validator probability(
-    [](const std::string& text) -> std::string {
-        double value = 0;
-        const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-        const bool number = failure == std::errc() && end == text.data() + text.size();
-        return number && value > 0 && value < 1 ? "" : fmt::format("'{}' is not a number in (0, 1)", text);
-    },
-    "in (0, 1)");
 
 const CLI::Validator whole_number(
     [](const std::string& text) -> std::string {
@@ -70,7 +49,7 @@ void add_sampler(CLI::App* verify, SamplerOptions& options) {
         sampler->excludes(verify->get_option(other));
     density->needs(sampler);
     verify->add_option("--delta", options.delta, "the density error (phi) that `holds` excludes")
-        ->check(probability)
+        ->check(probability())
         ->needs(sampler)
         ->capture_default_str();
     verify
@@ -88,7 +67,7 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
     CLI::Option* full =
         verb->add_flag("--full", options.full, "the full size of every claim (about 20 times the work)");
     CLI::Option* alpha = verb->add_option("--alpha", options.alpha, "false-alarm budget of the whole run")
-                             ->check(probability)
+                             ->check(probability())
                              ->capture_default_str();
     verb->add_option_function<std::string>(
             "--time-limit", [&](const std::string& text) { options.time_limit = parse_duration(text); },
@@ -126,13 +105,19 @@ void add_list(CLI::App& app, ListOptions& options, VerbSet verbs) {
 
 void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) {
     CLI::App* verb = app.add_subcommand("converge", "Measure error against samples, evaluations and seconds");
-    verb->add_option(
-            "estimators", options.estimators,
-            "e.g. independent torus-tent, or on scenes direct, direct+sobol; see plumb list estimators|integrators")
-        ->required();
-    verb->add_option("--on", options.integrands,
-                     "integrands, e.g. exp, or scenes: SCENE, SCENE:x,y (a pixel), SCENE:x,y,width,height")
-        ->required();
+    CLI::Option* estimators = verb->add_option(
+        "estimators", options.estimators,
+        "e.g. independent torus-tent, or on scenes direct, direct+sobol; see plumb list estimators|integrators");
+    CLI::Option* on = verb->add_option("--on", options.integrands,
+                                       "integrands, e.g. exp, or scenes: SCENE, SCENE:x,y (a pixel), "
+                                       "SCENE:x,y,width,height");
+    verb->add_option("--images", options.images,
+                     "instead: the error of images that you have, 'out_{spp}_{seed}.exr'; {seconds} too, if known")
+        ->excludes(estimators)
+        ->excludes(on);
+    verb->add_option("--reference", options.reference,
+                     "the truth: an image, or auto for the cached one of a scene; measured when not given");
+    add_cache(verb, options.cache);
     verb->add_option("--n", counts, "sample counts: first..last (doubling) or a list a,b,c")
         ->check(checked(parse_sample_counts))
         ->capture_default_str();
@@ -144,7 +129,8 @@ void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) 
     verb->add_option("--report", options.report, "the page with the plots")->capture_default_str();
     verb->footer(
         "Examples: plumb converge independent torus-tent --on exp --n 16..4096\n"
-        "          plumb converge direct direct+sobol --on cornell_box:64,64");
+        "          plumb converge direct direct+sobol --on cornell_box:64,64\n"
+        "          plumb converge --images 'out_{spp}_{seed}.exr' --reference ref.exr");
 }
 
 void add_study(CLI::App& app, StudyOptions& options) {
@@ -209,8 +195,8 @@ void add_weights(CLI::App& app, WeightsOptions& options) {
     verb->footer("Example: plumb weights points.csv --periodic -o weights.csv");
 }
 
-void add_render(CLI::App& app, RenderOptions& options, std::vector<std::string>& definitions) {
-    CLI::App* verb = app.add_subcommand("render", "Render a scene to an image with its variance");
+// What is rendered, by which paths and numbers.
+void add_paths(CLI::App* verb, RenderOptions& options) {
     verb->add_option("scene", options.scene, "a scene in Mitsuba's XML, or the name of a shipped one")->required();
     verb->add_option("--integrator", options.integrator, "see plumb list integrators")->capture_default_str();
     verb->add_option("--sampler", options.sampler, "independent, stratified or sobol")->capture_default_str();
@@ -221,6 +207,33 @@ void add_render(CLI::App& app, RenderOptions& options, std::vector<std::string>&
     verb->add_option("--rr-depth", options.roulette_depth, "Russian roulette begins behind so many edges")
         ->check(CLI::Range(0, 30000))
         ->capture_default_str();
+    verb->add_option_function<std::vector<std::string>>(
+            "-D",
+            [&](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) options.definitions.insert(parse_definition(text));
+            },
+            "name=value for $name in the file")
+        ->check(checked(parse_definition));
+    verb->add_flag("--lenient", options.lenient, "replace what Plumb lacks where it can, and list it");
+    add_seed_and_threads(verb, options.seed, options.threads);
+}
+
+CLI::Option* add_error(CLI::App* verb, RenderOptions& options) {
+    CLI::Option* error =
+        verb->add_option_function<std::string>(
+                "--error", [&](const std::string& text) { options.error = parse_error_target(text); },
+                "double the passes until the picture's RMSE is at most this, 1e-3, or 1% of the picture")
+            ->check(checked(parse_error_target));
+    verb->add_option("--max-spp", options.most_samples, "samples a pixel, where --error gives up")
+        ->check(CLI::Range(64u, 1u << 24))
+        ->needs(error)
+        ->capture_default_str();
+    return error;
+}
+
+void add_render(CLI::App& app, RenderOptions& options) {
+    CLI::App* verb = app.add_subcommand("render", "Render a scene to an image with its variance");
+    add_paths(verb, options);
     verb->add_option("--length", options.length, "only paths of so many edges; 0: of all")
         ->check(CLI::Range(0, 30000))
         ->capture_default_str();
@@ -236,24 +249,11 @@ void add_render(CLI::App& app, RenderOptions& options, std::vector<std::string>&
             "instead of --spp: as many passes of 4 samples as fit, e.g. 30s")
         ->check(checked(parse_duration))
         ->excludes(spp);
-    CLI::Option* error = verb->add_option_function<std::string>(
-                                 "--error", [&](const std::string& text) { options.error = parse_error_target(text); },
-                                 "instead of --spp: double the passes until the picture's RMSE is at most this, 1e-3, "
-                                 "or 1% of the picture")
-                             ->check(checked(parse_error_target))
-                             ->excludes(spp)
-                             ->excludes("--time");
-    verb->add_option("--max-spp", options.most_samples, "samples a pixel, where --error gives up")
-        ->check(CLI::Range(64u, 1u << 24))
-        ->needs(error)
-        ->capture_default_str();
+    add_error(verb, options)->excludes(spp)->excludes("--time");
     verb->add_option_function<std::string>(
             "--crop", [&](const std::string& text) { options.crop = parse_crop(text); },
             "only these pixels: x,y,width,height")
         ->check(checked(parse_crop));
-    verb->add_option("-D", definitions, "name=value for $name in the file")->check(checked(parse_definition));
-    verb->add_flag("--lenient", options.lenient, "replace what Plumb lacks where it can, and list it");
-    add_seed_and_threads(verb, options.seed, options.threads);
     verb->add_option("-o,--output", options.out,
                      "the image, in a format that OpenImageIO writes; EXR and TIFF keep all layers [out/SCENE.exr]");
     verb->footer(
@@ -262,53 +262,15 @@ void add_render(CLI::App& app, RenderOptions& options, std::vector<std::string>&
         "          plumb render cornell_box --integrator path --error 2%");
 }
 
-void add_share(CLI::App* verb, const std::string& name, double& share, const std::string& about) {
-    verb->add_option_function<std::string>(
-            name, [&share](const std::string& text) { share = parse_error_target(text).error; },
-            fmt::format("{} [{} %]", about, 100 * share))
-        ->check(checked(parse_error_target));
-}
-
-void add_compare(CLI::App& app, CompareOptions& options) {
-    CLI::App* verb = app.add_subcommand("compare", "Are two images estimates of the same picture?");
-    verb->add_option("images", options.images, "image a and image b, of any renderer")->expected(0, 2);
-    verb->add_option("--a", options.a, "independent renders of a: two or more unless a has layers of its variance");
-    verb->add_option("--b", options.b, "independent renders of b");
-    verb->add_flag("--exact-b", options.exact_b, "b has no error: a closed form, not a render");
-    add_share(verb, "--delta", options.settings.delta, "how far the picture's mean may be off, of b's");
-    add_share(verb, "--tile-delta", options.settings.tile_delta, "how far a tile's mean may be off, of b's");
-    verb->add_option("--tile", options.settings.tile, "edge of a tile in pixels; about 256 tiles when not given")
-        ->check(CLI::Range(2, 1 << 16));
-    verb->add_option("--alpha", options.settings.alpha, "the risk of refuting two true estimates")
-        ->check(probability)
-        ->capture_default_str();
-    verb->add_option("--json", options.json, "write everything but the pixels as JSON to this file");
-    verb->add_option("--report", options.report, "the page with both images; '' for none")->capture_default_str();
+void add_reference(CLI::App& app, ReferenceOptions& options) {
+    CLI::App* verb = app.add_subcommand("reference", "Keep a picture of a scene that others are measured against");
+    add_paths(verb, options);
+    add_error(verb, options)->required();
+    add_cache(verb, options.cache);
     verb->footer(
-        "Exit code: 0 equal within delta, 1 refuted, 2 usage or input error, 3 undecided. docs/compare.md says what "
-        "is\n"
-        "tested and what it cannot see.\n\n"
-        "Example: plumb compare path.exr bdpt.exr --delta 0.5%");
-}
-
-void add_check(CLI::App& app, CheckOptions& options) {
-    CLI::App* verb = app.add_subcommand("check", "Has an image the radiances that are known of its scene?");
-    verb->add_option("images", options.images, "an image of any renderer, or several independent renders of it")
-        ->required();
-    verb->add_option("--expect", options.expected, "an expected.json (docs/scenes.md), or the name of a shipped scene")
-        ->required();
-    verb->add_option_function<std::string>(
-            "--edges", [&](const std::string& text) { options.edges = parse_edges(text); },
-            "the longest paths that the image counts: 2 (direct light), or all; Plumb's own images say it themselves")
-        ->check(checked(parse_edges));
-    add_share(verb, "--delta", options.settings.delta, "how far a value may be off, of what is known");
-    verb->add_option("--alpha", options.settings.alpha, "the risk of refuting an image that is right")
-        ->check(probability)
-        ->capture_default_str();
-    verb->add_option("--json", options.json, "write all values as JSON to this file");
-    verb->footer(
-        "Exit code: 0 all values are as known, 1 refuted, 2 usage or input error, 3 undecided. docs/compare.md.\n\n"
-        "Example: plumb check render.exr --expect quad_light --edges all");
+        "Does nothing where such a reference is there already. Exit code: 0, or 3 when --error was not reached,\n"
+        "2 usage or input error.\n\n"
+        "Example: plumb reference cornell_box --error 1%");
 }
 
 void add_report(CLI::App& app, ReportOptions& options) {
@@ -372,9 +334,9 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     IntegrateOptions integrate;
     WeightsOptions weights;
     RenderOptions render;
+    ReferenceOptions reference;
     CompareOptions compare;
     CheckOptions check;
-    std::vector<std::string> definitions;
     StudyOptions study;
     ReportOptions report;
     MergeOptions merge;
@@ -382,7 +344,8 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     add_list(app, list, verbs);
     if (verbs == VerbSet::shipped) {
         add_converge(app, converge, counts);
-        add_render(app, render, definitions);
+        add_render(app, render);
+        add_reference(app, reference);
         add_compare(app, compare);
         add_check(app, check);
         add_integrate(app, integrate);
@@ -404,8 +367,8 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     if (app.got_subcommand("list")) return list;
     if (app.got_subcommand("report")) return report;
     if (app.got_subcommand("study")) return study;
-    for (const std::string& text : definitions) render.definitions.insert(parse_definition(text));
     if (app.got_subcommand("render")) return render;
+    if (app.got_subcommand("reference")) return reference;
     if (app.got_subcommand("compare")) return compare;
     if (app.got_subcommand("check")) return check;
     if (app.got_subcommand("integrate")) return integrate;

@@ -3,11 +3,11 @@
 
 #include "cli/commands.h"
 #include "cli/run_info.h"
+#include "cli/scene_identity.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/parallel.h"
 #include "integrators/integrators.h"
-#include "integrators/provenance.h"
 #include "integrators/render_until.h"
 #include "integrators/sampler.h"
 #include "reports/json.h"
@@ -145,18 +145,17 @@ int render(const RenderOptions& options) {
     const Rendered& picture = done->rendered;
     const std::uint64_t replicates = picture.film.replicates(), samples = replicates * settings.samples_per_pass;
     Image image = picture.film.image();
-    image.metadata = metadata_of({.scene = scene_name(file),
-                                  .scene_hash = fmt::format("{:016x}", scene.description().content_hash),
-                                  .integrator = options.integrator,
-                                  .sampler = settings.sampler,
-                                  .version = info.version,
-                                  .limits = limits,
-                                  .seed = info.seed,
-                                  .samples_per_pixel = samples,
-                                  .replicates = replicates,
-                                  .film = film,
-                                  .crop = settings.crop,
-                                  .error = done->error});
+    Provenance provenance = identity_of(options.scene, scene.description());
+    provenance.integrator = options.integrator;
+    provenance.sampler = settings.sampler;
+    provenance.limits = limits;
+    provenance.seed = info.seed;
+    provenance.samples_per_pixel = samples;
+    provenance.replicates = replicates;
+    provenance.film = film;
+    provenance.crop = settings.crop;
+    provenance.error = done->error;
+    image.metadata = metadata_of(provenance);
     if (out.has_parent_path()) fs::create_directories(out.parent_path());
     write_image(out, fit_for(out, image));
     const std::vector<ListRow> record{side_record(picture, info)};
