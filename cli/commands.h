@@ -27,11 +27,13 @@ int study(const StudyOptions& options);
 int study_calibration(const StudyOptions& options);  ///< the study of that name: what a verdict costs
 int reference(const ReferenceOptions& options);
 int render(const RenderOptions& options);
+int explain(const ExplainOptions& options);
 int compare(const CompareOptions& options);
 int integrate(const IntegrateOptions& options);
 int weights(const WeightsOptions& options);
 int report(const ReportOptions& options);
 int merge(const MergeOptions& options);
+int merge_films(const MergeOptions& options);  ///< into an image
 
 /// Of a verb that ends in one verdict.
 constexpr int exit_code(Outcome outcome) {

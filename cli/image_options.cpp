@@ -2,7 +2,7 @@
 
 #include "cli/option_adders.h"
 
-// Options of the verbs that judge images.
+// Options of the verbs that make images or judge them.
 namespace plumb {
 namespace {
 
@@ -11,6 +11,60 @@ void add_share(CLI::App* verb, const std::string& name, double& share, const std
             name, [&share](const std::string& text) { share = parse_error_target(text).error; },
             fmt::format("{} [{} %]", about, 100 * share))
         ->check(checked(parse_error_target));
+}
+
+// A scene, and how its light is transported.
+void add_transport(CLI::App* verb, PathOptions& options) {
+    verb->add_option("scene", options.scene, "a scene in Mitsuba's XML, or the name of a shipped one")->required();
+    verb->add_option("--integrator", options.integrator, "see plumb list integrators")->capture_default_str();
+    verb->add_option("--sampler", options.sampler, "independent, stratified or sobol")->capture_default_str();
+    verb->add_option("--max-depth", options.max_depth,
+                     "longest paths, in edges from the sensor (1: lights seen directly); -1: no limit")
+        ->check(CLI::Range(-1, 30000))
+        ->capture_default_str();
+    verb->add_option("--rr-depth", options.roulette_depth, "Russian roulette begins behind so many edges")
+        ->check(CLI::Range(0, 30000))
+        ->capture_default_str();
+    verb->add_option_function<std::vector<std::string>>(
+            "-D",
+            [&](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) options.definitions.insert(parse_definition(text));
+            },
+            "name=value for $name in the file")
+        ->check(checked(parse_definition));
+    verb->add_flag("--lenient", options.lenient, "replace what Plumb lacks where it can, and list it");
+}
+
+void add_paths(CLI::App* verb, PathOptions& options) {
+    add_transport(verb, options);
+    verb->add_option("--length", options.length, "only paths of so many edges; 0: of all")
+        ->check(CLI::Range(0, 30000))
+        ->capture_default_str();
+    verb->add_option_function<std::string>(
+            "--strategy", [&](const std::string& text) { options.strategy = parse_strategy(text); },
+            "of `bdpt`, one alone and unweighted: s,t for s vertices from the light and t from the sensor")
+        ->check(checked(parse_strategy));
+    verb->add_option("--spp", options.samples_per_pixel, "samples a pixel")
+        ->check(CLI::Range(1u, 1u << 24))
+        ->capture_default_str();
+    verb->add_option_function<std::string>(
+            "--crop", [&](const std::string& text) { options.crop = parse_crop(text); },
+            "only these pixels: x,y,width,height")
+        ->check(checked(parse_crop));
+}
+
+// Returns --error.
+CLI::Option* add_error(CLI::App* verb, RenderOptions& options) {
+    CLI::Option* error =
+        verb->add_option_function<std::string>(
+                "--error", [&](const std::string& text) { options.error = parse_error_target(text); },
+                "double the passes until the picture's RMSE is at most this, 1e-3, or 1% of the picture")
+            ->check(checked(parse_error_target));
+    verb->add_option("--max-spp", options.most_samples, "samples a pixel, where --error gives up")
+        ->check(CLI::Range(64u, 1u << 24))
+        ->needs(error)
+        ->capture_default_str();
+    return error;
 }
 
 }  // namespace
@@ -29,6 +83,57 @@ const CLI::Validator& probability() {
 
 void add_cache(CLI::App* verb, std::string& cache) {
     verb->add_option("--cache", cache, "the folder where plumb reference keeps its pictures")->capture_default_str();
+}
+
+void add_render(CLI::App& app, RenderOptions& options) {
+    CLI::App* verb = app.add_subcommand("render", "Render a scene to an image with its variance");
+    add_paths(verb, options);
+    verb->add_option_function<std::string>(
+            "--time", [&](const std::string& text) { options.time = parse_duration(text); },
+            "instead of --spp: as many passes of 4 samples as fit, e.g. 30s")
+        ->check(checked(parse_duration))
+        ->excludes(verb->get_option("--spp"));
+    add_error(verb, options)->excludes(verb->get_option("--spp"))->excludes(verb->get_option("--time"));
+    add_seed_and_threads(verb, options.seed, options.threads);
+    verb->add_option_function<std::string>(
+            "--shard", [&](const std::string& text) { options.shard = parse_shard(text); },
+            "every n-th pass from the i-th on, i/n, into a part of a film: plumb merge joins them. Needs --seed")
+        ->check(checked(parse_shard))
+        ->needs(verb->get_option("--seed"))
+        ->excludes(verb->get_option("--time"))
+        ->excludes(verb->get_option("--error"));
+    verb->add_option("-o,--output", options.out,
+                     "the image, in a format that OpenImageIO writes; EXR and TIFF keep all layers [out/SCENE.exr]");
+    verb->footer(
+        "Exit code: 0, or 3 when --error was not reached, 2 usage or input error.\n\n"
+        "Examples: plumb render cornell_box --sampler sobol --spp 64 -o cornell.exr\n"
+        "          plumb render cornell_box --integrator path --error 2%");
+}
+
+void add_explain(CLI::App& app, ExplainOptions& options) {
+    CLI::App* verb =
+        app.add_subcommand("explain", "Explain one path of a render: vertices, densities, weights, splats");
+    add_paths(verb, options);
+    verb->add_option("x", options.x, "the pixel's column, from the left and 0")->required();
+    verb->add_option("y", options.y, "its row, from the top")->required();
+    verb->add_option("sample", options.sample, "which of its samples, from 0 to spp - 1")->required();
+    add_seed(verb, options.seed);
+    verb->add_option("--json", options.json, "write all of it as JSON to this file, every number to the bit");
+    verb->footer(
+        "The path is that of plumb render with the same options: give it the seed of the image.\n\n"
+        "Example: plumb explain cornell_box 64 100 3 --integrator path --seed 7");
+}
+
+void add_reference(CLI::App& app, ReferenceOptions& options) {
+    CLI::App* verb = app.add_subcommand("reference", "Keep a picture of a scene that others are measured against");
+    add_transport(verb, options);
+    add_seed_and_threads(verb, options.seed, options.threads);
+    add_error(verb, options)->required();
+    add_cache(verb, options.cache);
+    verb->footer(
+        "Does nothing where such a reference is there already. Exit code: 0, or 3 when --error was not reached,\n"
+        "2 usage or input error.\n\n"
+        "Example: plumb reference cornell_box --error 1%");
 }
 
 void add_compare(CLI::App& app, CompareOptions& options) {

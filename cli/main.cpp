@@ -9,7 +9,11 @@ struct ShippedVerbs : plumb::CatalogueVerbs {
     int operator()(const plumb::StudyOptions& options) const { return plumb::study(options); }
     int operator()(const plumb::ReferenceOptions& options) const { return plumb::reference(options); }
     int operator()(const plumb::RenderOptions& options) const { return plumb::render(options); }
+    int operator()(const plumb::ExplainOptions& options) const { return plumb::explain(options); }
     int operator()(const plumb::CompareOptions& options) const { return plumb::compare(options); }
+    int operator()(const plumb::MergeOptions& options) const {
+        return options.image.empty() ? plumb::merge(options) : plumb::merge_films(options);
+    }
     int operator()(const plumb::CheckOptions& options) const { return plumb::check(options); }
     int operator()(const plumb::IntegrateOptions& options) const { return plumb::integrate(options); }
     int operator()(const plumb::WeightsOptions& options) const { return plumb::weights(options); }

@@ -25,7 +25,13 @@ auto checked(Parse parse) {
 /// Accepts a number in (0, 1).
 const CLI::Validator& probability();
 
+void add_seed(CLI::App* verb, std::optional<std::uint64_t>& seed);
+void add_seed_and_threads(CLI::App* verb, std::optional<std::uint64_t>& seed, int& threads);
 void add_cache(CLI::App* verb, std::string& cache);
+
+void add_render(CLI::App& app, RenderOptions& options);
+void add_explain(CLI::App& app, ExplainOptions& options);
+void add_reference(CLI::App& app, ReferenceOptions& options);
 void add_compare(CLI::App& app, CompareOptions& options);
 void add_check(CLI::App& app, CheckOptions& options);
 

@@ -22,12 +22,20 @@ const CLI::Validator whole_number(
     },
     "from 0 to 2^64 - 1");
 
-void add_seed_and_threads(CLI::App* verb, std::optional<std::uint64_t>& seed, int& threads) {
+}  // namespace
+
+void add_seed(CLI::App* verb, std::optional<std::uint64_t>& seed) {
     verb->add_option("--seed", seed, "the run's random seed; a new one when not given, recorded either way")
         ->check(whole_number);
+}
+
+void add_seed_and_threads(CLI::App* verb, std::optional<std::uint64_t>& seed, int& threads) {
+    add_seed(verb, seed);
     verb->add_option("--threads", threads, "worker threads; the results do not depend on them")
         ->check(CLI::Range(1, 4096));
 }
+
+namespace {
 
 void add_outputs(CLI::App* verb, Outputs& outputs) {
     verb->add_option("--json", outputs.json, "write verdicts as JSON to this file");
@@ -195,84 +203,6 @@ void add_weights(CLI::App& app, WeightsOptions& options) {
     verb->footer("Example: plumb weights points.csv --periodic -o weights.csv");
 }
 
-// What is rendered, by which paths and numbers.
-void add_paths(CLI::App* verb, RenderOptions& options) {
-    verb->add_option("scene", options.scene, "a scene in Mitsuba's XML, or the name of a shipped one")->required();
-    verb->add_option("--integrator", options.integrator, "see plumb list integrators")->capture_default_str();
-    verb->add_option("--sampler", options.sampler, "independent, stratified or sobol")->capture_default_str();
-    verb->add_option("--max-depth", options.max_depth,
-                     "longest paths, in edges from the sensor (1: lights seen directly); -1: no limit")
-        ->check(CLI::Range(-1, 30000))
-        ->capture_default_str();
-    verb->add_option("--rr-depth", options.roulette_depth, "Russian roulette begins behind so many edges")
-        ->check(CLI::Range(0, 30000))
-        ->capture_default_str();
-    verb->add_option_function<std::vector<std::string>>(
-            "-D",
-            [&](const std::vector<std::string>& texts) {
-                for (const std::string& text : texts) options.definitions.insert(parse_definition(text));
-            },
-            "name=value for $name in the file")
-        ->check(checked(parse_definition));
-    verb->add_flag("--lenient", options.lenient, "replace what Plumb lacks where it can, and list it");
-    add_seed_and_threads(verb, options.seed, options.threads);
-}
-
-CLI::Option* add_error(CLI::App* verb, RenderOptions& options) {
-    CLI::Option* error =
-        verb->add_option_function<std::string>(
-                "--error", [&](const std::string& text) { options.error = parse_error_target(text); },
-                "double the passes until the picture's RMSE is at most this, 1e-3, or 1% of the picture")
-            ->check(checked(parse_error_target));
-    verb->add_option("--max-spp", options.most_samples, "samples a pixel, where --error gives up")
-        ->check(CLI::Range(64u, 1u << 24))
-        ->needs(error)
-        ->capture_default_str();
-    return error;
-}
-
-void add_render(CLI::App& app, RenderOptions& options) {
-    CLI::App* verb = app.add_subcommand("render", "Render a scene to an image with its variance");
-    add_paths(verb, options);
-    verb->add_option("--length", options.length, "only paths of so many edges; 0: of all")
-        ->check(CLI::Range(0, 30000))
-        ->capture_default_str();
-    verb->add_option_function<std::string>(
-            "--strategy", [&](const std::string& text) { options.strategy = parse_strategy(text); },
-            "of `bdpt`, one alone and unweighted: s,t for s vertices from the light and t from the sensor")
-        ->check(checked(parse_strategy));
-    CLI::Option* spp = verb->add_option("--spp", options.samples_per_pixel, "samples a pixel")
-                           ->check(CLI::Range(1u, 1u << 24))
-                           ->capture_default_str();
-    verb->add_option_function<std::string>(
-            "--time", [&](const std::string& text) { options.time = parse_duration(text); },
-            "instead of --spp: as many passes of 4 samples as fit, e.g. 30s")
-        ->check(checked(parse_duration))
-        ->excludes(spp);
-    add_error(verb, options)->excludes(spp)->excludes("--time");
-    verb->add_option_function<std::string>(
-            "--crop", [&](const std::string& text) { options.crop = parse_crop(text); },
-            "only these pixels: x,y,width,height")
-        ->check(checked(parse_crop));
-    verb->add_option("-o,--output", options.out,
-                     "the image, in a format that OpenImageIO writes; EXR and TIFF keep all layers [out/SCENE.exr]");
-    verb->footer(
-        "Exit code: 0, or 3 when --error was not reached, 2 usage or input error.\n\n"
-        "Examples: plumb render cornell_box --sampler sobol --spp 64 -o cornell.exr\n"
-        "          plumb render cornell_box --integrator path --error 2%");
-}
-
-void add_reference(CLI::App& app, ReferenceOptions& options) {
-    CLI::App* verb = app.add_subcommand("reference", "Keep a picture of a scene that others are measured against");
-    add_paths(verb, options);
-    add_error(verb, options)->required();
-    add_cache(verb, options.cache);
-    verb->footer(
-        "Does nothing where such a reference is there already. Exit code: 0, or 3 when --error was not reached,\n"
-        "2 usage or input error.\n\n"
-        "Example: plumb reference cornell_box --error 1%");
-}
-
 void add_report(CLI::App& app, ReportOptions& options) {
     CLI::App* verb = app.add_subcommand("report", "Rebuild the report of a stored run");
     verb->add_option("--run", options.run, "the run's number; the newest when not given");
@@ -283,17 +213,25 @@ void add_report(CLI::App& app, ReportOptions& options) {
     verb->footer("Example: plumb report --run 12 --against 11");
 }
 
-void add_merge(CLI::App& app, MergeOptions& options) {
+void add_merge(CLI::App& app, MergeOptions& options, VerbSet verbs) {
     CLI::App* verb = app.add_subcommand("merge", "Join the shards of a run into the run that they make up");
     verb->add_option("stores", options.stores, "the stores that the shards were verified with")->required();
     add_outputs(verb, options);
+    std::string of_films;
+    if (verbs == VerbSet::shipped) {
+        CLI::Option* image = verb->add_option("-o,--output", options.image,
+                                              "of parts of a film (plumb render --shard) instead: the image");
+        for (const char* other : {"--json", "--junit", "--report", "--store"}) image->excludes(verb->get_option(other));
+        of_films = "\n         plumb merge part-*.film -o picture.exr";
+    }
     verb->footer(
         "Exit code: as of plumb verify. Merging twice changes nothing.\n\n"
-        "Example: plumb merge shard-*.db --store out/results.db");
+        "Example: plumb merge shard-*.db --store out/results.db" +
+        of_films);
 }
 
 // CLI11 says "The following argument was not expected": name it, and the nearest known one.
-std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
+std::string complaint_of(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
     const CLI::App* verb = &app;
     for (const CLI::App* sub : app.get_subcommands()) verb = sub;
     std::vector<std::string> verbs, options;
@@ -334,8 +272,9 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     IntegrateOptions integrate;
     WeightsOptions weights;
     RenderOptions render;
-    ReferenceOptions reference;
     CompareOptions compare;
+    ExplainOptions explain;
+    ReferenceOptions reference;
     CheckOptions check;
     StudyOptions study;
     ReportOptions report;
@@ -345,6 +284,7 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     if (verbs == VerbSet::shipped) {
         add_converge(app, converge, counts);
         add_render(app, render);
+        add_explain(app, explain);
         add_reference(app, reference);
         add_compare(app, compare);
         add_check(app, check);
@@ -353,13 +293,13 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
         add_study(app, study);
     }
     add_report(app, report);
-    add_merge(app, merge);
+    add_merge(app, merge, verbs);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& answer) {
         return Answered{app.exit(answer)};
     } catch (const CLI::ParseError& error) {
-        fmt::print(stderr, "{}: {}\n", name, explain(app, error, argc, argv));
+        fmt::print(stderr, "{}: {}\n", name, complaint_of(app, error, argc, argv));
         return Answered{2};
     }
     converge.n = parse_sample_counts(counts);
@@ -368,6 +308,7 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     if (app.got_subcommand("report")) return report;
     if (app.got_subcommand("study")) return study;
     if (app.got_subcommand("render")) return render;
+    if (app.got_subcommand("explain")) return explain;
     if (app.got_subcommand("reference")) return reference;
     if (app.got_subcommand("compare")) return compare;
     if (app.got_subcommand("check")) return check;

@@ -42,7 +42,8 @@ struct VerifyOptions : Outputs {
 };
 
 struct MergeOptions : Outputs {
-    std::vector<std::string> stores;
+    std::vector<std::string> stores;  ///< or parts of a film, where there is an image to write
+    std::string image;
 };
 
 struct ListOptions {
@@ -93,20 +94,25 @@ struct WeightsOptions {
     std::vector<double> domain;  ///< as above
 };
 
-struct RenderOptions {
+/// Which paths of which scene.
+struct PathOptions {
     std::string scene;  ///< a file, or the name of a shipped one
     std::string integrator = "direct", sampler = "independent";
     int max_depth = -1, roulette_depth = 5;  ///< in edges; -1: no limit
     int length = 0;                          ///< in edges: paths of this length alone; 0: all
     std::vector<int> strategy;               ///< s, t of bdpt; empty: all
     std::uint32_t samples_per_pixel = 64;
-    std::optional<std::chrono::duration<double>> time;  ///< instead
-    std::optional<ErrorTarget> error;                   ///< instead
-    std::uint32_t most_samples = 1u << 16;              ///< of a pixel, where the error is not reached
-    std::vector<int> crop;                              ///< x, y, width, height; empty: the whole film
-    std::map<std::string, std::string> definitions;     ///< of $name in the file
+    std::vector<int> crop;                           ///< x, y, width, height; empty: the whole film
+    std::map<std::string, std::string> definitions;  ///< of $name in the file
     bool lenient = false;
     std::optional<std::uint64_t> seed;
+};
+
+struct RenderOptions : PathOptions {
+    std::optional<std::chrono::duration<double>> time;  ///< instead of samples_per_pixel
+    std::optional<ErrorTarget> error;                   ///< instead
+    std::uint32_t most_samples = 1u << 16;              ///< of a pixel, where the error is not reached
+    std::optional<Shard> shard;                         ///< of the passes, into a part of a film
     int threads = 0;
     std::string out;  ///< empty: out/SCENE.exr
 };
@@ -119,6 +125,13 @@ struct ReferenceOptions : RenderOptions {
         most_samples = 1u << 20;
     }
     std::string cache = default_cache;
+};
+
+/// One path of such a render.
+struct ExplainOptions : PathOptions {
+    int x = 0, y = 0;  ///< of the pixel
+    std::uint32_t sample = 0;
+    std::string json;
 };
 
 struct CompareOptions {
@@ -149,9 +162,9 @@ struct Answered {
     int exit_code = 0;
 };
 
-using Options =
-    std::variant<Answered, VerifyOptions, RenderOptions, ListOptions, ConvergeOptions, IntegrateOptions, WeightsOptions,
-                 StudyOptions, ReportOptions, MergeOptions, CompareOptions, CheckOptions, ReferenceOptions>;
+using Options = std::variant<Answered, VerifyOptions, RenderOptions, ListOptions, ConvergeOptions, IntegrateOptions,
+                             WeightsOptions, StudyOptions, ReportOptions, MergeOptions, CompareOptions, ExplainOptions,
+                             CheckOptions, ReferenceOptions>;
 
 /// The verbs that need nothing but a catalogue, or all those of the program that Plumb ships.
 enum class VerbSet { of_a_catalogue, shipped };

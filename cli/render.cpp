@@ -2,16 +2,15 @@
 #include <filesystem>
 
 #include "cli/commands.h"
+#include "cli/path_options.h"
+#include "cli/picture_file.h"
 #include "cli/run_info.h"
 #include "cli/scene_identity.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/parallel.h"
-#include "integrators/integrators.h"
 #include "integrators/render_until.h"
-#include "integrators/sampler.h"
-#include "reports/json.h"
-#include "scenes/mitsuba_xml.h"
+#include "scenes/film_part.h"
 #include "scenes/shipped.h"
 
 namespace plumb {
@@ -30,25 +29,18 @@ void print_notes(const description::Scene& scene) {
                    note.kind == description::Note::Kind::replaced ? "replaced:" : "not followed:", note.text);
 }
 
-FilmRegion crop_of(const std::vector<int>& crop, FilmSize film) {
-    if (crop.empty()) return {0, 0, film.width, film.height};
-    return {crop[0], crop[1], crop[2], crop[3]};
-}
-
-// Formats that hold floats and names get every layer, the others what a person looks at.
-Image fit_for(const fs::path& file, const Image& image) {
-    const std::string format = file.extension().string();
-    if (format == ".exr" || format == ".tif" || format == ".tiff") return image;
-    const bool linear = format == ".hdr" || format == ".pfm";
-    const auto srgb = [](float x) {  // [IEC 61966-2-1]
-        const float v = std::clamp(x, 0.f, 1.f);
-        return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
-    };
-    Image colours{image.width, image.height, {"R", "G", "B"}, {}, image.metadata};
-    for (std::size_t i = 0; i < image.values.size(); i += image.channels.size())
-        for (std::size_t c = 0; c < 3; ++c)
-            colours.values.push_back(linear ? image.values[i + c] : srgb(image.values[i + c]));
-    return colours;
+// What the picture is a function of.
+Provenance provenance(const RenderOptions& options, const RenderSettings& settings, const Scene& scene) {
+    Provenance p = identity_of(options.scene, scene.description());
+    p.integrator = options.integrator;
+    p.sampler = settings.sampler;
+    p.limits = limits_of(options);
+    p.seed = settings.seed;
+    p.samples_per_pixel = std::uint64_t{settings.passes} * settings.samples_per_pass;
+    p.replicates = settings.passes;
+    p.film = scene.sensor().film();
+    p.crop = settings.crop;
+    return p;
 }
 
 std::string text_of(const FilmError& error) {
@@ -103,37 +95,35 @@ RenderedUntil rendered(const Scene& scene, const PathEstimator& estimator, const
 }
 
 std::vector<Field> side_record(const Rendered& rendered, const RunInfo& info) {
-    const BadValues& bad = rendered.film.bad_values();
-    return {{"started", info.started}, {"seconds", info.seconds}, {"threads", static_cast<std::uint64_t>(info.threads)},
-            {"rays", rendered.rays},   {"nan", bad.nan},          {"infinite", bad.infinite},
-            {"negative", bad.negative}};
+    std::vector<Field> record{{"started", info.started},
+                              {"seconds", info.seconds},
+                              {"threads", static_cast<std::uint64_t>(info.threads)},
+                              {"rays", rendered.rays}};
+    for (Field& field : bad_values_of(rendered.film)) record.push_back(std::move(field));
+    return record;
 }
 
-void print_bad_values(const BadValues& bad) {
-    if (bad == BadValues{}) return;
-    fmt::print("values that should not be: {} NaN, {} infinite, {} negative; NaN and infinite ones count as 0\n",
-               bad.nan, bad.infinite, bad.negative);
+fs::path output_of(const RenderOptions& options, const fs::path& scene) {
+    if (!options.out.empty()) return options.out;
+    const std::string name = scene_name(scene);
+    const auto& shard = options.shard;
+    return fs::path("out") /
+           (shard ? fmt::format("{}-{}-of-{}.film", name, shard->index, shard->count) : name + ".exr");
 }
 
 }  // namespace
 
 int render(const RenderOptions& options) {
-    PathLimits limits{options.max_depth, options.roulette_depth, options.length};
-    if (!options.strategy.empty()) limits.strategy = Strategy{options.strategy[0], options.strategy[1]};
-    const auto estimator = make_integrator(options.integrator, limits);
+    const auto estimator = estimator_of(options);
     const fs::path file = scene_file(options.scene);
-    const fs::path out = options.out.empty() ? fs::path("out") / (scene_name(file) + ".exr") : fs::path(options.out);
+    const fs::path out = output_of(options, file);
     check_writable(out);
-    check_image_format(out);
+    if (!options.shard) check_image_format(out);
     RunInfo info = start_run(options.seed, options.threads);
-    RenderSettings settings{.sampler = options.sampler, .seed = info.seed};
+    const Scene scene = load_scene(options);
+    RenderSettings settings = settings_of(options, info.seed, scene.sensor().film());
     if (options.time) settings.passes = 1u << 20;
-    if (!options.time && !options.error) settings = with_samples(settings, options.samples_per_pixel);
-    Sampler(settings.sampler, 1);  // knows the name, or says so before the work begins
-    const Scene scene(load_mitsuba(file, {options.definitions, options.lenient}));
-    const FilmSize film = scene.sensor().film();
-    settings.crop = crop_of(options.crop, film);
-    check_crop(settings.crop, film);
+    if (options.shard) settings = part_of(settings, options.shard->index, options.shard->count);
     print_notes(scene.description());
 
     std::optional<RenderedUntil> done;
@@ -142,28 +132,20 @@ int render(const RenderOptions& options) {
         with_threads(info.threads, [&] { done = rendered(scene, *estimator, settings, options, watch); });
         info.seconds = watch.seconds();
     }
-    const Rendered& picture = done->rendered;
-    const std::uint64_t replicates = picture.film.replicates(), samples = replicates * settings.samples_per_pass;
-    Image image = picture.film.image();
-    Provenance provenance = identity_of(options.scene, scene.description());
-    provenance.integrator = options.integrator;
-    provenance.sampler = settings.sampler;
-    provenance.limits = limits;
-    provenance.seed = info.seed;
-    provenance.samples_per_pixel = samples;
-    provenance.replicates = replicates;
-    provenance.film = film;
-    provenance.crop = settings.crop;
-    provenance.error = done->error;
-    image.metadata = metadata_of(provenance);
-    if (out.has_parent_path()) fs::create_directories(out.parent_path());
-    write_image(out, fit_for(out, image));
-    const std::vector<ListRow> record{side_record(picture, info)};
-    write_file(out.string() + ".json", list_json(record));
+    const auto& [picture, error, met] = *done;
+    if (options.time || options.error) settings.passes = static_cast<std::uint32_t>(picture.film.replicates());
+    const auto of = metadata_of(provenance(options, settings, scene));
+    if (options.shard)
+        write_film_part(out, {of, static_cast<std::uint32_t>(options.shard->index),
+                              static_cast<std::uint32_t>(options.shard->count), picture.rays, picture.film});
+    else
+        write_picture(out, picture.film, of);
+    write_side_record(out, side_record(picture, info));
     print_bad_values(picture.film.bad_values());
+    const std::uint64_t samples = picture.film.replicates() * settings.samples_per_pass;
     fmt::print("{} samples a pixel, {:.3g} rays, {:.1f} s, seed {}, {}; {}\n", samples,
-               static_cast<double>(picture.rays), info.seconds, info.seed, text_of(done->error), out.string());
-    if (done->met) return 0;
+               static_cast<double>(picture.rays), info.seconds, info.seed, text_of(error), out.string());
+    if (met) return 0;
     fmt::print("the error {} was not reached with {} samples a pixel (--max-spp): fireflies, or too few samples\n",
                text_of(*options.error), samples);
     return 3;

@@ -55,6 +55,40 @@ TEST_F(RenderCommand, ACropIsThatPartOfThePicture) {
         EXPECT_EQ(part.at(x, 9, channel(part, "R")), whole.at(50 + x, 49, channel(whole, "R")));
 }
 
+TEST_F(RenderCommand, ShardsMergeToTheSameFile) {
+    for (const std::string integrator : {"path", "light"}) {
+        const std::string call = "render quad_light --spp 12 --seed 7 --crop 50,40,20,10 --integrator " + integrator;
+        ASSERT_EQ(plumb(call + " --threads 2 -o whole.exr").exit_code, 0);
+        for (const char* shard : {"1", "2", "3"}) {
+            const Said said = plumb(call + " --shard " + shard + "/3 --threads 1 -o " + shard + ".film");
+            EXPECT_EQ(said.exit_code, 0) << said.error;
+            EXPECT_THAT(said.out, HasSubstr("4 samples a pixel"));
+        }
+        ASSERT_EQ(plumb("merge 3.film 1.film 2.film -o merged.exr").exit_code, 0);
+        EXPECT_EQ(read("merged.exr"), read("whole.exr")) << integrator;
+        EXPECT_THAT(read("merged.exr.json"), HasSubstr("\"rays\""));
+    }
+}
+
+TEST_F(RenderCommand, NamesPartsThatDoNotFit) {
+    const std::string call = "render quad_light --spp 4 --crop 50,40,2,1 ";
+    ASSERT_EQ(plumb(call + "--seed 7 --shard 1/2 -o 1.film").exit_code, 0);
+    ASSERT_EQ(plumb(call + "--seed 8 --shard 2/2 -o other.film").exit_code, 0);
+    ASSERT_EQ(plumb(call + "--seed 7 --shard 2/2 --rr-depth 3 -o deeper.film").exit_code, 0);
+    ASSERT_EQ(plumb(call + "--seed 7 -o image.exr").exit_code, 0);
+    EXPECT_THAT(complaint("merge 1.film -o a.exr"), HasSubstr("part 2 of 2 is missing"));
+    EXPECT_THAT(complaint("merge 1.film 1.film -o a.exr"), HasSubstr("1.film: part 1 of 2, as 1.film"));
+    EXPECT_THAT(complaint("merge 1.film other.film -o a.exr"), HasSubstr("plumb:seed is '8', but '7'"));
+    EXPECT_THAT(complaint("merge 1.film deeper.film -o a.exr"), HasSubstr("plumb:rr_depth"));
+    EXPECT_THAT(complaint("merge 1.film image.exr -o a.exr"), HasSubstr("image.exr: not a part of a film"));
+    EXPECT_THAT(complaint("merge 1.film"), HasSubstr("1.film"));
+    EXPECT_THAT(complaint("merge 1.film -o a.nonsense"), HasSubstr("a.nonsense"));
+    EXPECT_THAT(complaint(call + "--shard 1/2 -o a.film"), HasSubstr("--seed"));
+    EXPECT_THAT(complaint(call + "--seed 7 --shard 5/8 -o a.film"), HasSubstr("part 5 of 8 of 4 passes"));
+    EXPECT_THAT(complaint(call + "--seed 7 --shard 3/2 -o a.film"), HasSubstr("'3/2' is not a shard"));
+    EXPECT_THAT(complaint("render quad_light --time 1s --seed 7 --shard 1/2 -o a.film"), HasSubstr("--time"));
+}
+
 TEST_F(RenderCommand, EndsWhenItsTimeIsOver) {
     const Said said = plumb("render quad_light --time 0.3s --crop 0,0,16,16 --seed 1 -o a.png");
     EXPECT_EQ(said.exit_code, 0) << said.error;

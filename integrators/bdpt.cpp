@@ -37,8 +37,12 @@ private:
     [[nodiscard]] std::span<const SubpathVertex> camera(std::size_t t) const { return {camera_.data(), t}; }
     [[nodiscard]] std::span<const SubpathVertex> light(std::size_t s) const { return {light_.data(), s}; }
 
-    void add(const Point<2>& film, const Spectrum& value, std::size_t edges, bool anywhere) {
-        if (!is_black(value)) record_.splats.push_back({film, value, static_cast<int>(edges), anywhere});
+    void add(const Point<2>& film, const Spectrum& value, std::size_t s, std::size_t t, double weight,
+             std::optional<std::size_t> source = {}) {
+        const Strategy strategy{static_cast<int>(s), static_cast<int>(t)};
+        if (record_.story)
+            record_.tell({.strategy = strategy, .light = value / weight, .weight = weight, .source = source});
+        if (!is_black(value)) record_.splats.push_back({film, value, strategy.edges(), t == 1});
     }
 
     // (0, t)
@@ -49,7 +53,9 @@ private:
         const Spectrum radiance =
             last.surface ? scene_.emitted(last.surface->hit, last.surface->wo) : scene_.environment(ray);
         if (is_black(radiance)) return;
-        add(start_.film, last.throughput * radiance * weight_of(camera(t), {}), t - 1, false);
+        const double weight = weight_of(camera(t), {});
+        if (weight == 0) return;
+        add(start_.film, last.throughput * radiance * weight, 0, t, weight, last.light);
     }
 
     // (1, t)
@@ -67,7 +73,8 @@ private:
         const double weight = weight_of(camera(t), {&end, 1});
         if (weight == 0) return;
         const double arrives = scene_.transmittance(last.point, sample, record_.rays);
-        add(start_.film, last.throughput * f * sample.radiance * (weight * arrives / sampled->pdf), t, false);
+        add(start_.film, last.throughput * f * sample.radiance * (weight * arrives / sampled->pdf), 1, t, weight,
+            sampled->light);
     }
 
     // (s, t), s and t ≥ 2
@@ -88,7 +95,7 @@ private:
         const double arrives = scene_.transmittance(x.point, end, record_.rays);
         const double scale =
             weight * arrives * bdpt_.rules.correction(*y.surface, -direction) * bdpt_.rules.falloff(x, y);
-        add(start_.film, x.throughput * f_x * f_y * y.throughput * scale, s + t - 1, false);
+        add(start_.film, x.throughput * f_x * f_y * y.throughput * scale, s, t, weight);
     }
 
     // (s, 1)
@@ -107,7 +114,7 @@ private:
         const double weight = weight_of({&sensor, 1}, light(s));
         if (weight == 0) return;
         const double arrives = transmittance_to(scene_, y.point, *lens, record_.rays);
-        add(lens->film, y.throughput * f * (weight * arrives * lens->importance / lens->pdf), s, true);
+        add(lens->film, y.throughput * f * (weight * arrives * lens->importance / lens->pdf), s, 1, weight);
     }
 
     const Bdpt& bdpt_;

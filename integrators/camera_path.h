@@ -30,6 +30,24 @@ struct ScatterSample {
 /// Empty where nothing scatters, or where the normals disagree about the side of the light.
 std::optional<ScatterSample> sample_bsdf(const PathVertex& vertex, std::uint16_t number, PrimarySamples& samples,
                                          Transport transport);
+/// Tells the story, where somebody listens, of a direction and the throughput behind it.
+inline void tell_scattering(const PathRecord& record, std::uint16_t number, const ScatterSample& sample,
+                            const Spectrum& throughput) {
+    if (record.story)
+        record.story->scatterings.push_back(
+            {number, sample.direction, sample.pdf, sample.measure, sample.eta, throughput});
+}
+/// Whether a path goes on, which it does with this probability, in the direction told last.
+inline bool survives_roulette(double probability, std::uint16_t number, PrimarySamples& samples,
+                              const PathRecord& record) {
+    const bool survives = samples.at({number, Use::roulette}).u[0] < probability;
+    if (record.story) {
+        record.story->scatterings.back().survival = probability;
+        record.story->scatterings.back().survived = survives;
+    }
+    return survives;
+}
+
 /// f |cos| about the shading normal for light from wi (radiance) or to wi (importance); black where the normals
 /// disagree about the side of the light.
 Spectrum eval_bsdf(const PathVertex& vertex, Vec3 wi, Transport transport);

@@ -9,12 +9,14 @@ void trace_two_edges(const Scene& scene, const FilmRegion& region, PrimarySample
     record.clear();
     const CameraStart start = start_at_camera(scene, region, samples);
     const auto vertex = trace_to_vertex(scene, start.ray, 1, samples, record);
-    if (!vertex) {
-        record.splats.push_back({start.film, scene.environment(start.ray), 1});
-        return;
-    }
+    const Spectrum seen = vertex ? scene.emitted(vertex->hit, vertex->wo) : scene.environment(start.ray);
+    if (record.story && !is_black(seen))
+        record.tell({.strategy = {0, 2},
+                     .light = seen,
+                     .source = vertex ? scene.light_of(vertex->hit) : scene.environment_light()});
+    record.splats.push_back({start.film, seen, 1});
+    if (!vertex) return;
     record.vertices.push_back(*vertex);
-    record.splats.push_back({start.film, scene.emitted(vertex->hit, vertex->wo), 1});
     record.splats.push_back({start.film, reflected(scene, *vertex, samples, record), 2});
 }
 

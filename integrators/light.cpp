@@ -8,13 +8,19 @@ void LightTracer::trace(const Scene& scene, const FilmRegion& region, PrimarySam
     const CameraStart start = start_at_camera(scene, region, samples);
     const auto seen = trace_to_vertex(scene, start.ray, 1, samples, record);
     const Spectrum radiance = seen ? scene.emitted(seen->hit, seen->wo) : scene.environment(start.ray);
-    if (!is_black(radiance)) record.splats.push_back({start.film, radiance, 1});
+    if (!is_black(radiance)) {
+        if (record.story)
+            record.tell({.strategy = {0, 2},
+                         .light = radiance,
+                         .source = seen ? scene.light_of(seen->hit) : scene.environment_light()});
+        record.splats.push_back({start.film, radiance, 1});
+    }
     if (seen) record.vertices.push_back(*seen);
     if (limits.allow(2)) trace_from_light(scene, samples, record);
 }
 
 void LightTracer::trace_from_light(const Scene& scene, PrimarySamples& samples, PathRecord& record) const {
-    const auto start = start_at_light(scene, samples);
+    const auto start = start_at_light(scene, samples, record);
     if (!start) return;
     Ray ray = start->ray;
     Spectrum throughput = Spectrum::grey(1);
@@ -27,10 +33,11 @@ void LightTracer::trace_from_light(const Scene& scene, PrimarySamples& samples, 
         const auto sample = sample_importance(*vertex, number, samples, correction, carries);
         if (!sample) return;
         throughput *= sample->weight;
+        tell_scattering(record, number, *sample, throughput);
         if (is_black(throughput)) return;
         if (edges + 1 > limits.roulette_edges) {
             const double survives = survival(throughput, 1);
-            if (!(samples.at({number, Use::roulette}).u[0] < survives)) return;
+            if (!survives_roulette(survives, number, samples, record)) return;
             throughput = throughput / survives;
         }
         ray = leave(vertex->hit.point, sample->direction);
@@ -48,7 +55,9 @@ void LightTracer::splat(const Scene& scene, const PathVertex& vertex, const Spec
     const double arrives = transmittance_to(scene, vertex.hit.point, *lens, record.rays);
     if (arrives == 0) return;
     const double scale = correction(vertex, lens->direction) * arrives * lens->importance / lens->pdf;
-    record.splats.push_back({lens->film, flux * f * scale, edges, true});
+    const Spectrum value = flux * f * scale;
+    if (record.story) record.tell({.strategy = {edges, 1}, .light = value});
+    record.splats.push_back({lens->film, value, edges, true});
 }
 
 }  // namespace plumb

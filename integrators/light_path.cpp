@@ -2,11 +2,12 @@
 
 namespace plumb {
 
-std::optional<LightStart> start_at_light(const Scene& scene, PrimarySamples& samples) {
+std::optional<LightStart> start_at_light(const Scene& scene, PrimarySamples& samples, const PathRecord& record) {
     const double u = samples.at({first_light_vertex, Use::light}).u[0];
     const auto light = scene.sample_light_ray(u, samples.at({first_light_vertex, Use::light_point}).u,
                                               samples.at({first_light_vertex, Use::direction}).u);
     if (!light) return {};
+    if (record.story) record.story->light_ray = *light;
     const EmittedRay& ray = light->ray;
     return LightStart{*light,
                       ray.surface ? leave(*ray.surface, ray.direction) : rounded_ray(ray.origin, ray.direction)};

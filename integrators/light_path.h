@@ -13,7 +13,7 @@ struct LightStart {
     SceneLightRay light;
     Ray ray;
 };
-std::optional<LightStart> start_at_light(const Scene& scene, PrimarySamples& samples);
+std::optional<LightStart> start_at_light(const Scene& scene, PrimarySamples& samples, const PathRecord& record);
 
 /// A direction that importance leaves a vertex of a light's subpath by: sample_bsdf with the correction in its weight.
 std::optional<ScatterSample> sample_importance(const PathVertex& vertex, std::uint16_t number, PrimarySamples& samples,

@@ -30,12 +30,24 @@ Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::
     const Spectrum f = eval_bsdf(vertex, light->sample.direction, Transport::radiance);
     if (is_black(f)) return {};
     const double visible = next_event.visibility(scene, vertex, light->sample, record);
-    if (visible == 0) return {};
+    if (visible == 0) {
+        if (record.story)
+            record.tell({.strategy = {1, number + 1}, .light = {}, .pdf = light->pdf, .source = light->light});
+        return {};
+    }
     const bool shared = used == LightTechniques::both && light->sample.measure == Measure::solid_angle;
     const auto bsdf_pdf = [&] {
         return vertex.bsdf.pdf(vertex.to_local(vertex.wo), vertex.to_local(light->sample.direction));
     };
-    const double weight = shared ? next_event.weight(light->pdf, bsdf_pdf()) : 1;
+    const double rival = shared ? bsdf_pdf() : 0;
+    const double weight = shared ? next_event.weight(light->pdf, rival) : 1;
+    if (record.story)
+        record.tell({.strategy = {1, number + 1},
+                     .light = f * light->sample.radiance * (visible / light->pdf),
+                     .weight = weight,
+                     .pdf = light->pdf,
+                     .rival = rival,
+                     .source = light->light});
     return f * light->sample.radiance * (weight * visible / light->pdf);
 }
 
@@ -43,6 +55,7 @@ Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint
                          const NextEvent& next_event, PrimarySamples& samples, PathRecord& record) {
     const auto sample = sample_bsdf(vertex, number, samples, Transport::radiance);
     if (!sample) return {};
+    tell_scattering(record, number, *sample, sample->weight);
     const Vec3 wi = sample->direction, from = vertex.hit.point.position;
     const Ray ray = leave(vertex.hit.point, wi);
     const auto next = trace_to_hit(scene, ray, static_cast<std::uint16_t>(number + 1), samples, record);
@@ -50,7 +63,15 @@ Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint
     if (is_black(radiance)) return {};
     const bool shared = used == LightTechniques::both && sample->measure == Measure::solid_angle;
     const double light_pdf = !shared ? 0 : next ? scene.light_pdf(*next, from, wi) : scene.environment_pdf(from, wi);
-    return sample->weight * radiance * (shared ? next_event.weight(sample->pdf, light_pdf) : 1);
+    const double weight = shared ? next_event.weight(sample->pdf, light_pdf) : 1;
+    if (record.story)
+        record.tell({.strategy = {0, number + 2},
+                     .light = sample->weight * radiance,
+                     .weight = weight,
+                     .pdf = shared ? sample->pdf : 0,
+                     .rival = light_pdf,
+                     .source = next ? scene.light_of(*next) : scene.environment_light()});
+    return sample->weight * radiance * weight;
 }
 
 }  // namespace plumb

@@ -12,12 +12,21 @@ namespace {
 
 // Light that the state's ray met, weighted against what an emitter sample would have found there.
 Spectrum met_light(const Scene& scene, const NextEvent& next_event, const PathState& state,
-                   const std::optional<Hit>& hit) {
+                   const std::optional<Hit>& hit, const PathRecord& record) {
     const Spectrum radiance = hit ? scene.emitted(*hit, -state.direction) : scene.environment(state.ray);
-    if (is_black(radiance) || state.pdf == 0) return radiance;
-    const double light_pdf =
-        hit ? scene.light_pdf(*hit, state.from, state.direction) : scene.environment_pdf(state.from, state.direction);
-    return radiance * next_event.weight(state.pdf, light_pdf);
+    if (is_black(radiance)) return radiance;
+    const double light_pdf = state.pdf == 0 ? 0
+                             : hit          ? scene.light_pdf(*hit, state.from, state.direction)
+                                            : scene.environment_pdf(state.from, state.direction);
+    const double weight = state.pdf == 0 ? 1 : next_event.weight(state.pdf, light_pdf);
+    if (record.story)
+        record.tell({.strategy = {0, state.vertex + 1},
+                     .light = radiance,
+                     .weight = weight,
+                     .pdf = state.pdf,
+                     .rival = light_pdf,
+                     .source = hit ? scene.light_of(*hit) : scene.environment_light()});
+    return radiance * weight;
 }
 
 }  // namespace
@@ -38,18 +47,19 @@ std::optional<PathState> PathTracer::step(const Scene& scene, const Point<2>& fi
         if (!is_black(light)) record.splats.push_back({film, state.throughput * light, edges});
     };
     const int edges = state.vertex;
-    add(met_light(scene, next_event, state, hit), edges);
+    if (record.story) record.story->throughput = state.throughput;
+    add(met_light(scene, next_event, state, hit, record), edges);
     if (!hit) return {};
     record.vertices.push_back(vertex_at(scene, *hit, state.ray));
     const PathVertex& vertex = record.vertices.back();
     if (!limits.allow(edges + 1)) return {};
     add(light_from_emitters(scene, vertex, state.vertex, LightTechniques::both, next_event, samples, record),
         edges + 1);
-    return edges < last_vertex ? scatter(vertex, state, samples) : std::nullopt;
+    return edges < last_vertex ? scatter(vertex, state, samples, record) : std::nullopt;
 }
 
-std::optional<PathState> PathTracer::scatter(const PathVertex& vertex, const PathState& state,
-                                             PrimarySamples& samples) const {
+std::optional<PathState> PathTracer::scatter(const PathVertex& vertex, const PathState& state, PrimarySamples& samples,
+                                             PathRecord& record) const {
     const auto sample = sample_bsdf(vertex, state.vertex, samples, Transport::radiance);
     if (!sample) return {};
     PathState next{.ray = leave(vertex.hit.point, sample->direction),
@@ -59,10 +69,11 @@ std::optional<PathState> PathTracer::scatter(const PathVertex& vertex, const Pat
                    .pdf = sample->measure == Measure::solid_angle ? sample->pdf : 0,
                    .eta_squared = state.eta_squared * sample->eta * sample->eta,
                    .vertex = static_cast<std::uint16_t>(state.vertex + 1)};
+    tell_scattering(record, state.vertex, *sample, next.throughput);
     if (is_black(next.throughput)) return {};
     if (next.vertex <= limits.roulette_edges) return next;
     const double survives = survival(next.throughput, next.eta_squared);
-    if (!(samples.at({state.vertex, Use::roulette}).u[0] < survives)) return {};
+    if (!survives_roulette(survives, state.vertex, samples, record)) return {};
     next.throughput = next.throughput / survives;
     return next;
 }

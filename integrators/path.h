@@ -6,11 +6,6 @@
 
 namespace plumb {
 
-/// A way to make a path from two ends: s vertices from the light and t from the sensor, of s + t − 1 edges.
-struct Strategy {
-    int s = 0, t = 2;
-};
-
 /// Which paths are estimated. Edges count from the sensor: 1 is an emitter seen directly, 2 direct light.
 struct PathLimits {
     int max_edges = -1;                     ///< longer paths count as black; -1: none is too long
@@ -58,7 +53,8 @@ struct PathTracer final : PathEstimator {
                                   PrimarySamples& samples, PathRecord& record) const;
 
 private:
-    std::optional<PathState> scatter(const PathVertex& vertex, const PathState& state, PrimarySamples& samples) const;
+    std::optional<PathState> scatter(const PathVertex& vertex, const PathState& state, PrimarySamples& samples,
+                                     PathRecord& record) const;
 };
 
 }  // namespace plumb

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/primary_samples.h"
-#include "scenes/scene.h"
+#include "integrators/path_story.h"
 
 namespace plumb {
 
@@ -46,12 +46,20 @@ struct PathRecord {
     std::vector<PathVertex> vertices;        ///< from the sensor on; the sensor itself is not among them
     std::vector<PathVertex> light_vertices;  ///< from a light on, likewise
     std::vector<Splat> splats;
-    RayLog rays;  ///< counts on over samples
+    RayLog rays;                 ///< counts on over samples
+    PathStory* story = nullptr;  ///< of the sample, where somebody listens
 
     void clear() {
+        if (story) story->clear();
         vertices.clear();
         light_vertices.clear();
         splats.clear();
+    }
+    /// Tells the story, which must be there, of light that is to be the next splat or a part of it.
+    void tell(PathStory::Finding finding) const {
+        finding.throughput = story->throughput;
+        finding.splat = splats.size();
+        story->findings.push_back(finding);
     }
     /// Of the splats for the region.
     [[nodiscard]] Spectrum sum() const {

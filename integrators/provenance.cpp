@@ -70,13 +70,15 @@ std::map<std::string, std::string> metadata_of(const Provenance& p) {
         {"plumb:replicates", fmt::format("{}", p.replicates)},
         {"plumb:film", fmt::format("{}x{}", p.film.width, p.film.height)},
         {"plumb:crop", fmt::format("{},{},{},{}", p.crop.x, p.crop.y, p.crop.width, p.crop.height)},
-        {"plumb:error", fmt::format("{}", p.error.relative)},
-        {"plumb:rmse", fmt::format("{}", p.error.rmse)},
         {"Software", program + p.version}};
     if (p.limits.length > 0) metadata["plumb:length"] = fmt::format("{}", p.limits.length);
     if (p.limits.strategy)
         metadata["plumb:strategy"] = fmt::format("{},{}", p.limits.strategy->s, p.limits.strategy->t);
     return metadata;
+}
+
+std::map<std::string, std::string> metadata_of(const FilmError& error) {
+    return {{"plumb:error", fmt::format("{}", error.relative)}, {"plumb:rmse", fmt::format("{}", error.rmse)}};
 }
 
 std::optional<Provenance> provenance_of(const Image& image, const std::string& file) {

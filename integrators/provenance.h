@@ -28,7 +28,9 @@ struct Provenance {
     [[nodiscard]] std::optional<int> longest_path() const;
 };
 
+/// All but the error, which is known when the film is.
 std::map<std::string, std::string> metadata_of(const Provenance& provenance);
+std::map<std::string, std::string> metadata_of(const FilmError& error);
 /// The inverse; empty for an image without `plumb:scene_hash`. Throws Error naming the file and an attribute that is no
 /// number where one is due.
 std::optional<Provenance> provenance_of(const Image& image, const std::string& file);

@@ -24,7 +24,9 @@ TEST(Provenance, SurvivesItsMetadata) {
                           .film = {20, 10},
                           .crop = {1, 2, 3, 4},
                           .error = {2.5, 0.1 + 0.2}};
-    const auto read = provenance_of(image_with(metadata_of(said)), "a.exr");
+    std::map<std::string, std::string> metadata = metadata_of(said);
+    metadata.merge(metadata_of(said.error));
+    const auto read = provenance_of(image_with(metadata), "a.exr");
     ASSERT_TRUE(read);
     EXPECT_EQ(metadata_of(*read), metadata_of(said));
     EXPECT_EQ(read->error.relative, said.error.relative);

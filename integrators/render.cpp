@@ -35,12 +35,6 @@ std::array<Spectrum, 4> layers_of(const PathRecord& record) {
     return layers;
 }
 
-// Light for a pixel of the crop, of paths that belong to any.
-struct SplatOnPixel {
-    int x, y;
-    Spectrum value;
-};
-
 // Renders the tiles of one pass into one image. Sums are exact: the order in which tiles and splats come does not
 // matter.
 class Pass {
@@ -61,13 +55,14 @@ public:
         for (int y = 0; y < tile.height; ++y)
             for (int x = 0; x < tile.width; ++x) {
                 const FilmRegion pixel{tile.x + x, tile.y + y, 1, 1};
-                const auto index = static_cast<std::uint32_t>(pixel.y * scene_.sensor().film().width + pixel.x);
                 const std::uint32_t first = number_ * settings_.samples_per_pass;
                 for (std::uint32_t i = 0; i < settings_.samples_per_pass; ++i) {
-                    PrimarySamples& samples = sampler.start({settings_.seed, index, first + i});
+                    PrimarySamples& samples = sampler.start(path_key(scene_, settings_, pixel.x, pixel.y, first + i));
                     estimator_.trace(scene_, pixel, samples, record);
                     part.add(x, y, layers_of(record));
-                    spread(record, splats);
+                    spread(record, scene_.sensor().filter(), settings_.crop, splats);
+                    constexpr std::size_t most_kept = 1 << 14;
+                    if (splats.size() >= most_kept) add(splats);
                 }
             }
         add(splats);
@@ -78,24 +73,9 @@ public:
     [[nodiscard]] const FilmPass& pixels() const { return pixels_; }
 
 private:
-    // Each sample of each pixel of the crop is a path that may light every pixel: of each splat a pixel takes the share
-    // of one sample of its own.
-    void spread(const PathRecord& record, std::vector<SplatOnPixel>& splats) {
-        const FilmRegion& crop = settings_.crop;
-        const double paths = static_cast<double>(crop.width) * crop.height;
-        thread_local std::vector<ReachedPixel> reached;
-        for (const Splat& splat : record.splats) {
-            if (!splat.anywhere) continue;
-            find_reached(scene_.sensor().filter(), crop, splat.film, reached);
-            for (const auto& [x, y, density] : reached)
-                splats.push_back({x - crop.x, y - crop.y, splat.value * (density / paths)});
-        }
-        constexpr std::size_t most_kept = 1 << 14;
-        if (splats.size() >= most_kept) add(splats);
-    }
     void add(std::vector<SplatOnPixel>& splats) {
         const std::lock_guard lock(mutex_);
-        for (const auto& [x, y, value] : splats) pixels_.splat(x, y, value);
+        for (const auto& [x, y, value] : splats) pixels_.splat(x - settings_.crop.x, y - settings_.crop.y, value);
         splats.clear();
     }
 
@@ -116,6 +96,10 @@ void check_crop(const FilmRegion& crop, FilmSize film) {
                                 crop.x, crop.y, crop.width, crop.height, film.width, film.height));
 }
 
+PathKey path_key(const Scene& scene, const RenderSettings& settings, int x, int y, std::uint32_t sample) {
+    return {settings.seed, static_cast<std::uint32_t>(y * scene.sensor().film().width + x), sample};
+}
+
 RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_pixel) {
     if (samples_per_pixel < 1) throw Error("0 samples a pixel; accepted are 1 and more");
     // Of two divisors as near to 16 as each other by ratio, the one with more samples a pass.
@@ -124,6 +108,15 @@ RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_p
     for (std::uint32_t passes = 2; passes <= std::min(samples_per_pixel, 256u); ++passes)
         if (samples_per_pixel % passes == 0 && distance(passes) < distance(settings.passes)) settings.passes = passes;
     settings.samples_per_pass = samples_per_pixel / settings.passes;
+    return settings;
+}
+
+RenderSettings part_of(RenderSettings settings, std::uint32_t i, std::uint32_t n) {
+    if (i < 1 || i > n || i > settings.passes)
+        throw Error(fmt::format("part {} of {} of {} passes: accepted are 1 to {}", i, n, settings.passes,
+                                std::min(n, settings.passes)));
+    settings.first_pass = i - 1;
+    settings.pass_step = n;
     return settings;
 }
 
@@ -140,10 +133,11 @@ Rendered render(const Scene& scene, const PathEstimator& estimator, const Render
     const std::vector<FilmRegion> tiles = tiles_of(settings.crop);
     const FilmSize size{settings.crop.width, settings.crop.height};
     Rendered result{Film(size, render_layers())};
-    RenderProgress progress{0, tiles.size() * settings.passes};
+    const std::uint32_t first = settings.first_pass, step = settings.pass_step;
+    RenderProgress progress{0, tiles.size() * ((settings.passes - 1 - first) / step + 1)};
     std::mutex mutex;
-    for (std::uint32_t pass = 0; pass < settings.passes; ++pass) {
-        Pass image(scene, estimator, settings, settings.first_pass + pass);
+    for (std::uint32_t pass = first; pass < settings.passes; pass += step) {
+        Pass image(scene, estimator, settings, pass);
         bool more = true;
         for_batches(tiles.size(), [&](std::size_t i) {
             const std::uint64_t rays = image.render(tiles[i]);

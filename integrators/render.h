@@ -14,12 +14,19 @@ struct RenderSettings {
     std::uint32_t samples_per_pass = 4;   ///< of each pixel
     std::uint32_t passes = 16;
     std::uint64_t seed = 1;
-    FilmRegion crop = {};          ///< which pixels of the film
-    std::uint32_t first_pass = 0;  ///< films of passes 0 to 15 and 16 to 31 merge into the film of all 32
+    FilmRegion crop = {};  ///< which pixels of the film
+    /// Of the passes those first, first + step, …: a part of the render. Films of all parts merge into the whole's.
+    std::uint32_t first_pass = 0, pass_step = 1;
 };
 
 /// Samples a pixel cut into passes: as near to 16 passes as divides them.
 RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_pixel);
+
+/// Of the passes those i, i + n, …, counted from 1. Throws Error where there is none.
+RenderSettings part_of(RenderSettings settings, std::uint32_t i, std::uint32_t n);
+
+/// The numbers of one sample of a pixel: those of pass p are samples_per_pass from p · samples_per_pass on.
+PathKey path_key(const Scene& scene, const RenderSettings& settings, int x, int y, std::uint32_t sample);
 
 /// Throws Error for a crop that is not within the film.
 void check_crop(const FilmRegion& crop, FilmSize film);

@@ -14,7 +14,7 @@ RenderedUntil render_until(const Scene& scene, const PathEstimator& estimator, R
         if (look) look(passes, result.error);
         if (result.met || passes >= most_passes) return result;
         settings.first_pass = passes;
-        settings.passes = std::min(passes, most_passes - passes);
+        settings.passes = std::min(2 * passes, most_passes);
         const Rendered more = render(scene, estimator, settings);
         result.rendered.film.merge(more.film);
         result.rendered.rays += more.rays;

@@ -33,6 +33,16 @@ void find_reached(const Filter& filter, const FilmRegion& region, const Point<2>
         filter);
 }
 
+void spread(const PathRecord& record, const Filter& filter, const FilmRegion& crop, std::vector<SplatOnPixel>& splats) {
+    const double paths = static_cast<double>(crop.width) * crop.height;
+    thread_local std::vector<ReachedPixel> reached;
+    for (const Splat& splat : record.splats) {
+        if (!splat.anywhere) continue;
+        find_reached(filter, crop, splat.film, reached);
+        for (const auto& [x, y, density] : reached) splats.push_back({x, y, splat.value * (density / paths)});
+    }
+}
+
 Spectrum region_mean(const PathRecord& record, const FilmRegion& region, const Filter& filter) {
     Spectrum mean = record.sum();
     std::vector<ReachedPixel> pixels;

@@ -145,10 +145,11 @@ private:
         Flight next{leave(surface.hit.point, sample->direction), sample->direction, sample->pdf,
                     flight.throughput * sample->weight, flight.eta_squared};
         if (transport_ == Transport::radiance) next.eta_squared *= sample->eta * sample->eta;
+        tell_scattering(record_, slot(edges), *sample, next.throughput);
         if (is_black(next.throughput)) return {};
         if (edges + 1 <= rules_.limits.roulette_edges) return next;
         const double survives = rules_.survival(next.throughput, next.eta_squared);
-        if (!(samples_.at({slot(edges), Use::roulette}).u[0] < survives)) return {};
+        if (!survives_roulette(survives, slot(edges), samples_, record_)) return {};
         next.throughput = next.throughput / survives;
         return next;
     }
@@ -177,7 +178,7 @@ Subpath camera_subpath(const Scene& scene, const CameraStart& start, const Subpa
 }
 
 Subpath light_subpath(const Scene& scene, const SubpathRules& rules, PrimarySamples& samples, PathRecord& record) {
-    const auto start = start_at_light(scene, samples);
+    const auto start = start_at_light(scene, samples, record);
     if (!start) return {};
     const auto& [ray, light, chance] = start->light;
     const bool environment = is_environment(scene.lights()[light]);

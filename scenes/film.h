@@ -85,6 +85,7 @@ public:
     [[nodiscard]] Image image() const;
 
 private:
+    friend struct FilmBits;  // of film_part.cpp
     [[nodiscard]] std::size_t at(int x, int y, std::size_t channel) const;
 
     FilmSize size_;

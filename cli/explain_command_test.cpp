@@ -1,0 +1,92 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/command_test.h"
+#include "core/image.h"
+
+namespace plumb {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+class ExplainCommand : public CommandTest {
+protected:
+    /// Of the sample, as `plumb explain` writes it.
+    [[nodiscard]] Json told(const std::string& arguments) const {
+        const Said said = plumb("explain " + arguments + " --json told.json");
+        EXPECT_EQ(said.exit_code, 0) << said.error;
+        return Json::parse(read("told.json"));
+    }
+    [[nodiscard]] static double red(const Image& image, int x, int y) {
+        const auto found = std::ranges::find(image.channels, "R");
+        return image.at(x, y, static_cast<std::size_t>(found - image.channels.begin()));
+    }
+};
+
+TEST_F(ExplainCommand, TellsTheValueThatThePictureHas) {
+    for (const std::string integrator : {"path", "bdpt", "direct", "light"}) {
+        const std::string of = " --integrator " + integrator + " --seed 7 --spp 1 --crop 80,60,4,3";
+        ASSERT_EQ(plumb("render cornell_box -o a.exr" + of).exit_code, 0);
+        const Image image = read_image(folder / "a.exr");
+        std::vector<double> sums(12);
+        for (int i = 0; i < 12; ++i) {
+            const int x = i % 4, y = i / 4;
+            const Json json = told("cornell_box " + std::to_string(80 + x) + ' ' + std::to_string(60 + y) + " 0" + of);
+            sums[static_cast<std::size_t>(i)] += double(json["value"][0]);
+            for (const Json& splat : json["splatted"])
+                sums[static_cast<std::size_t>((int(splat["y"]) - 60) * 4 + int(splat["x"]) - 80)] +=
+                    double(splat["value"][0]);
+        }
+        for (int i = 0; i < 12; ++i)
+            EXPECT_EQ(static_cast<float>(sums[static_cast<std::size_t>(i)]), red(image, i % 4, i / 4)) << integrator;
+    }
+}
+
+TEST_F(ExplainCommand, FactorsMultiplyUpToSplats) {
+    for (const std::string call : {"--integrator path", "--integrator bdpt", "--integrator path --sampler sobol"})
+        for (const std::string sample : {"0", "9", "15"}) {
+            const Json json = told("glass 100 150 " + sample + " --seed 3 --spp 16 " + call);
+            std::vector<double> sums(json["splats"].size());
+            double value = 0;
+            for (const Json& found : json["found"])
+                if (!found["splat"].is_null())
+                    sums[found["splat"]] +=
+                        double(found["throughput"][1]) * double(found["value"][1]) * double(found["weight"]);
+            for (std::size_t i = 0; i < sums.size(); ++i) {
+                const double splat = json["splats"][i]["value"][1];
+                EXPECT_NEAR(sums[i], splat, 1e-12 * splat) << call;
+                if (!json["splats"][i]["anywhere"]) value += splat;
+            }
+            EXPECT_EQ(value, json["value"][1]) << call;
+        }
+}
+
+TEST_F(ExplainCommand, ReadsWellAndTheSameTwice) {
+    const std::string call = "explain cornell_box 64 100 3 --integrator path --seed 7";
+    const Said said = plumb(call);
+    EXPECT_EQ(said.exit_code, 0) << said.error;
+    EXPECT_THAT(said.out, AllOf(HasSubstr("pixel 64,100, sample 3 of 64"), HasSubstr("shape 2 'back' (scene.xml:"),
+                                HasSubstr("pdf per steradian"), HasSubstr("adds to the pixel: ")));
+    EXPECT_EQ(plumb(call).out, said.out);
+    const Said light = plumb("explain cornell_box 64 100 5 --integrator light --seed 7");
+    EXPECT_THAT(light.out, AllOf(HasSubstr("light 0"), HasSubstr("pdf per area")));
+}
+
+TEST_F(ExplainCommand, NamesWhatIsWrong) {
+    EXPECT_THAT(complaint("explain cornell_box 256 0 0"), HasSubstr("pixel 256,0: accepted are x from 0 to 255"));
+    EXPECT_THAT(complaint("explain cornell_box 0 -- -1 0"), HasSubstr("pixel 0,-1"));
+    EXPECT_THAT(complaint("explain cornell_box 3 4 0 --crop 0,0,2,2"), HasSubstr("x from 0 to 1"));
+    EXPECT_THAT(complaint("explain cornell_box 3 4 64"), HasSubstr("sample 64 of 64 a pixel: accepted are 0 to 63"));
+    EXPECT_THAT(complaint("explain cornel_box 3 4 0"), HasSubstr("did you mean 'cornell_box'"));
+    EXPECT_THAT(complaint("explain cornell_box 3 4"), HasSubstr("sample"));
+    EXPECT_THAT(complaint("explain cornell_box 3 four 0"), HasSubstr("four"));
+    EXPECT_THAT(complaint("explain cornell_box 3 4 0 --integrator paht"), HasSubstr("did you mean 'path'"));
+    EXPECT_THAT(complaint("explain cornell_box 3 4 0 --sampler halton"), HasSubstr("sobol"));
+    EXPECT_THAT(complaint("explain cornell_box 3 4 0 --json /proc/a.json"), HasSubstr("/proc/a.json"));
+}
+
+}  // namespace
+}  // namespace plumb
