@@ -25,6 +25,7 @@ int list(const ListOptions& options, const Lists& lists);
 int converge(const ConvergeOptions& options);
 int study(const StudyOptions& options);
 int study_calibration(const StudyOptions& options);  ///< the study of that name: what a verdict costs
+int reference(const ReferenceOptions& options);
 int render(const RenderOptions& options);
 int explain(const ExplainOptions& options);
 int compare(const CompareOptions& options);

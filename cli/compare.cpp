@@ -1,11 +1,14 @@
 #include <filesystem>
 
 #include "cli/commands.h"
+#include "cli/scene_identity.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/image.h"
+#include "integrators/reference_cache.h"
 #include "reports/comparison.h"
 #include "reports/text.h"
+#include "scenes/shipped.h"
 
 namespace plumb {
 namespace {
@@ -19,6 +22,22 @@ std::vector<std::string> files_of(const CompareOptions& options, std::size_t sid
         throw Error(fmt::format("compare: there is no image {}; give two images, or lists of renders by --a and --b",
                                 side == 0 ? 'a' : 'b'));
     return files;
+}
+
+// Image b may be named by its scene: its reference then, of paths as long as those of image a.
+void find_reference(std::vector<std::string>& files_b, const std::string& file_a, const Image& a,
+                    const std::string& cache) {
+    const std::string scene = files_b.front();
+    const bool xml = std::filesystem::path(scene).extension() == ".xml";
+    if (files_b.size() > 1 || std::filesystem::is_regular_file(scene) != xml) return;
+    if (!xml && std::ranges::count(shipped_scene_names(), scene) == 0) return;
+    const Provenance identity = identity_of(scene, {.lenient = true});
+    const std::optional<Provenance> said = provenance_of(a, file_a);
+    if (said && said->scene_hash != identity.scene_hash)
+        throw Error(fmt::format("{}: is of another scene than {}, or of another version of it: hash {}, not {}", file_a,
+                                scene, said->scene_hash, identity.scene_hash));
+    const auto longest = said ? said->longest_path() : std::nullopt;
+    files_b.front() = require_reference(cache, identity, longest, scene).file.string();
 }
 
 void print_tiles(const ImageComparison& found) {
@@ -50,11 +69,13 @@ void print_tiles(const ImageComparison& found) {
 }  // namespace
 
 int compare(const CompareOptions& options) {
-    const std::vector<std::string> files_a = files_of(options, 0), files_b = files_of(options, 1);
+    const std::vector<std::string> files_a = files_of(options, 0);
+    std::vector<std::string> files_b = files_of(options, 1);
     for (const std::string& out : {options.json, options.report})
         if (!out.empty()) check_writable(out);
     std::vector<Image> images_a, images_b;
     for (const std::string& file : files_a) images_a.push_back(read_image(file));
+    find_reference(files_b, files_a.front(), images_a.front(), options.cache);
     for (const std::string& file : files_b) images_b.push_back(read_image(file));
     std::vector<Image> all = images_a;
     std::vector<std::string> names = files_a;

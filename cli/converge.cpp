@@ -2,6 +2,7 @@
 
 #include "analytic/integrand.h"
 #include "cli/commands.h"
+#include "cli/converge_images.h"
 #include "cli/converge_scene.h"
 #include "cli/run_info.h"
 #include "core/error.h"
@@ -43,8 +44,13 @@ void check_names(const ConvergeOptions& options) {
     }
 }
 
-std::vector<Series> measure_all(const std::string& on, const ConvergeOptions& options, const Run& run) {
-    if (names_scene(on)) return converge_on_scene(on, options, run);
+std::vector<Series> measure_all(const std::string& on, const ConvergeOptions& options, const Run& run,
+                                std::vector<std::string>& truths) {
+    if (names_scene(on)) {
+        SceneSeries measured = converge_on_scene(on, options, run);
+        truths.push_back(fmt::format("{}: {}", on, measured.truth));
+        return std::move(measured.series);
+    }
     std::vector<Series> series;
     for (const std::string& estimator : options.estimators) series.push_back(measure_any(estimator, on, options, run));
     return series;
@@ -53,6 +59,9 @@ std::vector<Series> measure_all(const std::string& on, const ConvergeOptions& op
 }  // namespace
 
 int converge(const ConvergeOptions& options) {
+    if (!options.images.empty()) return converge_images(options);
+    if (options.estimators.empty() || options.integrands.empty())
+        throw Error("converge: what? Give estimators and --on, or --images and --reference");
     check_names(options);
     for (const std::string& file : {options.json, options.report})
         if (!file.empty()) check_writable(file);
@@ -60,19 +69,22 @@ int converge(const ConvergeOptions& options) {
     const Run run(info.seed, "converge", 1);
     const auto start = std::chrono::steady_clock::now();
     std::vector<Series> series;
+    std::vector<std::string> truths;
     {
         ProgressLine line;
         with_threads(info.threads, [&] {
             for (const std::string& on : options.integrands) {
                 line.show(fmt::format("{} on {}", fmt::join(options.estimators, ", "), on));
-                for (Series& one : measure_all(on, options, run)) series.push_back(std::move(one));
+                for (Series& one : measure_all(on, options, run, truths)) series.push_back(std::move(one));
             }
         });
     }
     info.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (!options.json.empty()) write_file(options.json, converge_json(info, series));
+    if (!options.json.empty()) write_file(options.json, converge_json(info, series, truths));
     write_converge_report(info, series, options.report);
-    fmt::print("{}report: {}\n", converge_table(series, terminal_style()), options.report);
+    fmt::print("{}", converge_table(series, terminal_style()));
+    for (const std::string& truth : truths) fmt::print("truth of {}\n", truth);
+    fmt::print("report: {}\n", options.report);
     return 0;
 }
 

@@ -1,11 +1,15 @@
 #include "cli/converge_scene.h"
 
+#include <array>
+#include <cmath>
 #include <filesystem>
 
+#include "cli/scene_identity.h"
 #include "core/error.h"
 #include "core/moments.h"
 #include "core/parallel.h"
 #include "integrators/integrators.h"
+#include "integrators/reference_cache.h"
 #include "integrators/region_estimate.h"
 #include "integrators/sampler.h"
 #include "scenes/mitsuba_xml.h"
@@ -49,24 +53,88 @@ Method method_of(const std::string& id) {
     return {id, sampler, find_integrator(id.substr(0, plus)).make({})};
 }
 
-struct Reference {
-    double mean, variance;
+/// The mean luminance of a region, with bounds of its variance.
+struct Truth {
+    double mean, least_variance, most_variance;
+    std::string said;
 };
 
-Reference reference_of(const Replicate& replicate, std::uint64_t n, std::uint64_t replicates, const Run& run) {
+Truth measured(const Replicate& replicate, std::uint64_t n, std::uint64_t replicates, const Run& run) {
     std::vector<double> means(replicates);
     for_batches(replicates, [&](std::size_t i) {
         RandomStream random = run.random(i);
         means[i] = replicate(n, random).value;
     });
     const Moments all = Moments::of(means);
-    return {all.mean(), all.variance() / static_cast<double>(replicates)};
+    const double variance = all.variance() / static_cast<double>(replicates);
+    return {all.mean(), variance, variance, {}};
 }
 
-void subtract(double variance, Series& series) {
+// A picture knows the variances v of its channels but no covariances: that of the luminance Σ w x lies between Σ w² v,
+// of independent channels, and (Σ w √v)², of proportional ones.
+Truth read_off(const Picture& picture, const FilmRegion& region) {
+    constexpr std::array weights{luminance(Spectrum::rgb(1, 0, 0)), luminance(Spectrum::rgb(0, 1, 0)),
+                                 luminance(Spectrum::rgb(0, 0, 1))};
+    Truth truth{};
+    const double n = static_cast<double>(region.width) * region.height;
+    for (int y = region.y; y < region.y + region.height; ++y)
+        for (int x = region.x; x < region.x + region.width; ++x) {
+            double deviation = 0;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const std::size_t k = picture.at(x, y, c);
+                truth.mean += weights[c] * picture.mean[k] / n;
+                truth.least_variance += weights[c] * weights[c] * picture.variance[k] / (n * n);
+                deviation += weights[c] * std::sqrt(picture.variance[k]);
+            }
+            truth.most_variance += deviation * deviation / (n * n);
+        }
+    return truth;
+}
+
+// Paths of all lengths, but for `direct`.
+std::optional<int> longest_path(const Method& method) {
+    return Provenance{.integrator = method.id}.longest_path();
+}
+
+Reference reference_picture(const ConvergeOptions& options, const std::string& asked, const Provenance& scene,
+                            std::optional<int> longest) {
+    if (options.reference == "auto") return require_reference(options.cache, scene, longest, asked);
+    Reference reference{options.reference, read_image(options.reference), {}};
+    const std::optional<Provenance> said = provenance_of(reference.image, options.reference);
+    if (said && said->scene_hash != scene.scene_hash)
+        throw Error(fmt::format("{}: is of another scene than {}, or of another version of it: hash {}, not {}",
+                                options.reference, scene.scene, said->scene_hash, scene.scene_hash));
+    if (said && (!said->is_radiance() || said->longest_path() != longest))
+        throw Error(
+            fmt::format("{}: was rendered with other lengths of paths than the estimators have", options.reference));
+    if (said) reference.provenance = *said;
+    return reference;
+}
+
+Truth truth_of(const Reference& reference, const FilmRegion& region, FilmSize film) {
+    const std::string file = reference.file.string();
+    if (reference.image.width != film.width || reference.image.height != film.height)
+        throw Error(fmt::format("{}: is {}x{} pixels, the film {}x{}", file, reference.image.width,
+                                reference.image.height, film.width, film.height));
+    const bool exact = std::ranges::find(reference.image.channels, "variance.R") == reference.image.channels.end();
+    const Picture picture = picture_of(std::vector{reference.image}, std::vector{file}, exact);
+    if (picture.channels.size() != 3 || picture.channels[0] != "R")
+        throw Error(fmt::format("{}: has no channels R, G and B", file));
+    Truth truth = read_off(picture, region);
+    if (!std::isfinite(truth.mean)) throw Error(fmt::format("{}: has pixels there that are no finite numbers", file));
+    const Provenance& by = reference.provenance;
+    truth.said = by.samples_per_pixel > 0 ? fmt::format("{} ({}, {} samples a pixel, relative error {:.3g} %)", file,
+                                                        by.integrator, by.samples_per_pixel, 100 * by.error.relative)
+                                          : file;
+    truth.said += exact ? ", whose own variance is not known and not subtracted" : ", whose own variance is subtracted";
+    return truth;
+}
+
+void subtract(const Truth& truth, Series& series) {
     for (ConvergencePoint& point : series.points) {
-        point.mse -= variance;
-        point.mse_interval = {point.mse_interval.low - variance, point.mse_interval.high - variance};
+        point.mse -= truth.most_variance;
+        point.mse_interval = {point.mse_interval.low - truth.most_variance,
+                              point.mse_interval.high - truth.least_variance};
     }
     series.slope = fit_slope(series.points, 0.95);
 }
@@ -82,29 +150,43 @@ void check_scene_methods(const std::vector<std::string>& estimators) {
     for (const std::string& id : estimators) method_of(id);
 }
 
-std::vector<Series> converge_on_scene(const std::string& on, const ConvergeOptions& options, const Run& run) {
+SceneSeries converge_on_scene(const std::string& on, const ConvergeOptions& options, const Run& run) {
     const Place place = parse_place(on);
     const Scene scene(load_mitsuba(scene_file(place.scene), {.lenient = true}));
-    const FilmRegion region = region_of(place, scene.sensor().film());
+    const FilmSize film = scene.sensor().film();
+    const FilmRegion region = region_of(place, film);
     std::vector<Method> methods;
     for (const std::string& id : options.estimators) methods.push_back(method_of(id));
-    const Replicate best = [&](std::uint64_t n, RandomStream& random) {
-        return region_estimate(scene, *methods.front().estimator, "sobol", region, n, random.bits());
-    };
-    const Reference reference =
-        reference_of(best, 4 * options.n.back(), options.replicates, run.part("reference of " + on));
-    std::vector<Series> all;
+    Truth truth;
+    if (options.reference.empty()) {
+        const Replicate best = [&](std::uint64_t n, RandomStream& random) {
+            return region_estimate(scene, *methods.front().estimator, "sobol", region, n, random.bits());
+        };
+        truth = measured(best, 4 * options.n.back(), options.replicates, run.part("reference of " + on));
+        truth.said = fmt::format("measured by {} with Sobol samples, {} replicates of {}; its variance is subtracted",
+                                 methods.front().id, options.replicates, 4 * options.n.back());
+    } else {
+        const std::optional<int> longest = longest_path(methods.front());
+        for (const Method& method : methods)
+            if (longest_path(method) != longest)
+                throw Error(fmt::format("{} and {} have paths of other lengths, so that no reference is both's",
+                                        methods.front().id, method.id));
+        truth =
+            truth_of(reference_picture(options, place.scene, identity_of(place.scene, scene.description()), longest),
+                     region, film);
+    }
+    SceneSeries all{{}, truth.said};
     for (const Method& method : methods) {
         const Replicate replicate = [&](std::uint64_t n, RandomStream& random) {
             return region_estimate(scene, *method.estimator, method.sampler, region, n, random.bits());
         };
         const ConvergenceSetting setting{.estimator = method.id,
                                          .integrand = on,
-                                         .truth = reference.mean,
+                                         .truth = truth.mean,
                                          .n = options.n,
                                          .replicates = options.replicates};
-        all.push_back(measure_convergence(replicate, setting, run.part(method.id + " on " + on)));
-        subtract(reference.variance, all.back());
+        all.series.push_back(measure_convergence(replicate, setting, run.part(method.id + " on " + on)));
+        subtract(truth, all.series.back());
     }
     return all;
 }

@@ -7,6 +7,7 @@ struct ShippedVerbs : plumb::CatalogueVerbs {
     using plumb::CatalogueVerbs::operator();
     int operator()(const plumb::ConvergeOptions& options) const { return plumb::converge(options); }
     int operator()(const plumb::StudyOptions& options) const { return plumb::study(options); }
+    int operator()(const plumb::ReferenceOptions& options) const { return plumb::reference(options); }
     int operator()(const plumb::RenderOptions& options) const { return plumb::render(options); }
     int operator()(const plumb::ExplainOptions& options) const { return plumb::explain(options); }
     int operator()(const plumb::CompareOptions& options) const { return plumb::compare(options); }

@@ -5,34 +5,13 @@
 #include <cstring>
 #include <filesystem>
 
+#include "cli/option_adders.h"
 #include "cli/version.h"
 #include "core/error.h"
 #include "core/sample_counts.h"
 
 namespace plumb {
 namespace {
-
-// Turns an Error of one of our parsers into CLI11's, which names the option.
-template <class Parse>
-auto checked(Parse parse) {
-    return [parse](const std::string& text) -> std::string {
-        try {
-            parse(text);
-            return {};
-        } catch (const Error& error) {
-            return error.what();
-        }
-    };
-}
-
-const CLI::Validator probability(
-    [](const std::string& text) -> std::string {
-        double value = 0;
-        const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-        const bool number = failure == std::errc() && end == text.data() + text.size();
-        return number && value > 0 && value < 1 ? "" : fmt::format("'{}' is not a number in (0, 1)", text);
-    },
-    "in (0, 1)");
 
 const CLI::Validator whole_number(
     [](const std::string& text) -> std::string {
@@ -42,6 +21,8 @@ const CLI::Validator whole_number(
         return whole ? "" : fmt::format("'{}' is not a whole number from 0 to 2^64 - 1", text);
     },
     "from 0 to 2^64 - 1");
+
+}  // namespace
 
 void add_seed(CLI::App* verb, std::optional<std::uint64_t>& seed) {
     verb->add_option("--seed", seed, "the run's random seed; a new one when not given, recorded either way")
@@ -53,6 +34,8 @@ void add_seed_and_threads(CLI::App* verb, std::optional<std::uint64_t>& seed, in
     verb->add_option("--threads", threads, "worker threads; the results do not depend on them")
         ->check(CLI::Range(1, 4096));
 }
+
+namespace {
 
 void add_outputs(CLI::App* verb, Outputs& outputs) {
     verb->add_option("--json", outputs.json, "write verdicts as JSON to this file");
@@ -74,7 +57,7 @@ void add_sampler(CLI::App* verify, SamplerOptions& options) {
         sampler->excludes(verify->get_option(other));
     density->needs(sampler);
     verify->add_option("--delta", options.delta, "the density error (phi) that `holds` excludes")
-        ->check(probability)
+        ->check(probability())
         ->needs(sampler)
         ->capture_default_str();
     verify
@@ -92,7 +75,7 @@ void add_verify(CLI::App& app, VerifyOptions& options) {
     CLI::Option* full =
         verb->add_flag("--full", options.full, "the full size of every claim (about 20 times the work)");
     CLI::Option* alpha = verb->add_option("--alpha", options.alpha, "false-alarm budget of the whole run")
-                             ->check(probability)
+                             ->check(probability())
                              ->capture_default_str();
     verb->add_option_function<std::string>(
             "--time-limit", [&](const std::string& text) { options.time_limit = parse_duration(text); },
@@ -130,13 +113,19 @@ void add_list(CLI::App& app, ListOptions& options, VerbSet verbs) {
 
 void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) {
     CLI::App* verb = app.add_subcommand("converge", "Measure error against samples, evaluations and seconds");
-    verb->add_option(
-            "estimators", options.estimators,
-            "e.g. independent torus-tent, or on scenes direct, direct+sobol; see plumb list estimators|integrators")
-        ->required();
-    verb->add_option("--on", options.integrands,
-                     "integrands, e.g. exp, or scenes: SCENE, SCENE:x,y (a pixel), SCENE:x,y,width,height")
-        ->required();
+    CLI::Option* estimators = verb->add_option(
+        "estimators", options.estimators,
+        "e.g. independent torus-tent, or on scenes direct, direct+sobol; see plumb list estimators|integrators");
+    CLI::Option* on = verb->add_option("--on", options.integrands,
+                                       "integrands, e.g. exp, or scenes: SCENE, SCENE:x,y (a pixel), "
+                                       "SCENE:x,y,width,height");
+    verb->add_option("--images", options.images,
+                     "instead: the error of images that you have, 'out_{spp}_{seed}.exr'; {seconds} too, if known")
+        ->excludes(estimators)
+        ->excludes(on);
+    verb->add_option("--reference", options.reference,
+                     "the truth: an image, or auto for the cached one of a scene; measured when not given");
+    add_cache(verb, options.cache);
     verb->add_option("--n", counts, "sample counts: first..last (doubling) or a list a,b,c")
         ->check(checked(parse_sample_counts))
         ->capture_default_str();
@@ -148,7 +137,8 @@ void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) 
     verb->add_option("--report", options.report, "the page with the plots")->capture_default_str();
     verb->footer(
         "Examples: plumb converge independent torus-tent --on exp --n 16..4096\n"
-        "          plumb converge direct direct+sobol --on cornell_box:64,64");
+        "          plumb converge direct direct+sobol --on cornell_box:64,64\n"
+        "          plumb converge --images 'out_{spp}_{seed}.exr' --reference ref.exr");
 }
 
 void add_study(CLI::App& app, StudyOptions& options) {
@@ -211,138 +201,6 @@ void add_weights(CLI::App& app, WeightsOptions& options) {
     add_domain(verb, options.domain);
     verb->add_option("-o,--output", options.out, "where the CSV goes; standard output when not given");
     verb->footer("Example: plumb weights points.csv --periodic -o weights.csv");
-}
-
-void add_paths(CLI::App* verb, PathOptions& options) {
-    verb->add_option("scene", options.scene, "a scene in Mitsuba's XML, or the name of a shipped one")->required();
-    verb->add_option("--integrator", options.integrator, "see plumb list integrators")->capture_default_str();
-    verb->add_option("--sampler", options.sampler, "independent, stratified or sobol")->capture_default_str();
-    verb->add_option("--max-depth", options.max_depth,
-                     "longest paths, in edges from the sensor (1: lights seen directly); -1: no limit")
-        ->check(CLI::Range(-1, 30000))
-        ->capture_default_str();
-    verb->add_option("--rr-depth", options.roulette_depth, "Russian roulette begins behind so many edges")
-        ->check(CLI::Range(0, 30000))
-        ->capture_default_str();
-    verb->add_option("--length", options.length, "only paths of so many edges; 0: of all")
-        ->check(CLI::Range(0, 30000))
-        ->capture_default_str();
-    verb->add_option_function<std::string>(
-            "--strategy", [&](const std::string& text) { options.strategy = parse_strategy(text); },
-            "of `bdpt`, one alone and unweighted: s,t for s vertices from the light and t from the sensor")
-        ->check(checked(parse_strategy));
-    verb->add_option("--spp", options.samples_per_pixel, "samples a pixel")
-        ->check(CLI::Range(1u, 1u << 24))
-        ->capture_default_str();
-    verb->add_option_function<std::string>(
-            "--crop", [&](const std::string& text) { options.crop = parse_crop(text); },
-            "only these pixels: x,y,width,height")
-        ->check(checked(parse_crop));
-    verb->add_option_function<std::vector<std::string>>(
-            "-D",
-            [&](const std::vector<std::string>& texts) {
-                for (const std::string& text : texts) options.definitions.insert(parse_definition(text));
-            },
-            "name=value for $name in the file")
-        ->check(checked(parse_definition));
-    verb->add_flag("--lenient", options.lenient, "replace what Plumb lacks where it can, and list it");
-}
-
-void add_render(CLI::App& app, RenderOptions& options) {
-    CLI::App* verb = app.add_subcommand("render", "Render a scene to an image with its variance");
-    add_paths(verb, options);
-    verb->add_option_function<std::string>(
-            "--time", [&](const std::string& text) { options.time = parse_duration(text); },
-            "instead of --spp: as many passes of 4 samples as fit, e.g. 30s")
-        ->check(checked(parse_duration))
-        ->excludes(verb->get_option("--spp"));
-    verb->add_option_function<std::string>(
-            "--error", [&](const std::string& text) { options.error = parse_error_target(text); },
-            "instead of --spp: double the passes until the picture's RMSE is at most this, 1e-3, or 1% of the picture")
-        ->check(checked(parse_error_target))
-        ->excludes(verb->get_option("--spp"))
-        ->excludes(verb->get_option("--time"));
-    verb->add_option("--max-spp", options.most_samples, "samples a pixel, where --error gives up")
-        ->check(CLI::Range(64u, 1u << 24))
-        ->needs(verb->get_option("--error"))
-        ->capture_default_str();
-    add_seed_and_threads(verb, options.seed, options.threads);
-    verb->add_option_function<std::string>(
-            "--shard", [&](const std::string& text) { options.shard = parse_shard(text); },
-            "every n-th pass from the i-th on, i/n, into a part of a film: plumb merge joins them. Needs --seed")
-        ->check(checked(parse_shard))
-        ->needs(verb->get_option("--seed"))
-        ->excludes(verb->get_option("--time"))
-        ->excludes(verb->get_option("--error"));
-    verb->add_option("-o,--output", options.out,
-                     "the image, in a format that OpenImageIO writes; EXR and TIFF keep all layers [out/SCENE.exr]");
-    verb->footer(
-        "Exit code: 0, or 3 when --error was not reached, 2 usage or input error.\n\n"
-        "Examples: plumb render cornell_box --sampler sobol --spp 64 -o cornell.exr\n"
-        "          plumb render cornell_box --integrator path --error 2%");
-}
-
-void add_explain(CLI::App& app, ExplainOptions& options) {
-    CLI::App* verb =
-        app.add_subcommand("explain", "Explain one path of a render: vertices, densities, weights, splats");
-    add_paths(verb, options);
-    verb->add_option("x", options.x, "the pixel's column, from the left and 0")->required();
-    verb->add_option("y", options.y, "its row, from the top")->required();
-    verb->add_option("sample", options.sample, "which of its samples, from 0 to spp - 1")->required();
-    add_seed(verb, options.seed);
-    verb->add_option("--json", options.json, "write all of it as JSON to this file, every number to the bit");
-    verb->footer(
-        "The path is that of plumb render with the same options: give it the seed of the image.\n\n"
-        "Example: plumb explain cornell_box 64 100 3 --integrator path --seed 7");
-}
-
-void add_share(CLI::App* verb, const std::string& name, double& share, const std::string& about) {
-    verb->add_option_function<std::string>(
-            name, [&share](const std::string& text) { share = parse_error_target(text).error; },
-            fmt::format("{} [{} %]", about, 100 * share))
-        ->check(checked(parse_error_target));
-}
-
-void add_compare(CLI::App& app, CompareOptions& options) {
-    CLI::App* verb = app.add_subcommand("compare", "Are two images estimates of the same picture?");
-    verb->add_option("images", options.images, "image a and image b, of any renderer")->expected(0, 2);
-    verb->add_option("--a", options.a, "independent renders of a: two or more unless a has layers of its variance");
-    verb->add_option("--b", options.b, "independent renders of b");
-    verb->add_flag("--exact-b", options.exact_b, "b has no error: a closed form, not a render");
-    add_share(verb, "--delta", options.settings.delta, "how far the picture's mean may be off, of b's");
-    add_share(verb, "--tile-delta", options.settings.tile_delta, "how far a tile's mean may be off, of b's");
-    verb->add_option("--tile", options.settings.tile, "edge of a tile in pixels; about 256 tiles when not given")
-        ->check(CLI::Range(2, 1 << 16));
-    verb->add_option("--alpha", options.settings.alpha, "the risk of refuting two true estimates")
-        ->check(probability)
-        ->capture_default_str();
-    verb->add_option("--json", options.json, "write everything but the pixels as JSON to this file");
-    verb->add_option("--report", options.report, "the page with both images; '' for none")->capture_default_str();
-    verb->footer(
-        "Exit code: 0 equal within delta, 1 refuted, 2 usage or input error, 3 undecided. docs/compare.md says what "
-        "is\n"
-        "tested and what it cannot see.\n\n"
-        "Example: plumb compare path.exr bdpt.exr --delta 0.5%");
-}
-
-void add_check(CLI::App& app, CheckOptions& options) {
-    CLI::App* verb = app.add_subcommand("check", "Has an image the radiances that are known of its scene?");
-    verb->add_option("images", options.images, "an image of any renderer, or several independent renders of it")
-        ->required();
-    verb->add_option("--expect", options.expected, "an expected.json (docs/scenes.md), or the name of a shipped scene")
-        ->required();
-    verb->add_option_function<std::string>(
-            "--edges", [&](const std::string& text) { options.edges = parse_edges(text); },
-            "the longest paths that the image counts: 2 (direct light), or all; Plumb's own images say it themselves")
-        ->check(checked(parse_edges));
-    add_share(verb, "--delta", options.settings.delta, "how far a value may be off, of what is known");
-    verb->add_option("--alpha", options.settings.alpha, "the risk of refuting an image that is right")
-        ->check(probability)
-        ->capture_default_str();
-    verb->add_option("--json", options.json, "write all values as JSON to this file");
-    verb->footer(
-        "Exit code: 0 all values are as known, 1 refuted, 2 usage or input error, 3 undecided. docs/compare.md.\n\n"
-        "Example: plumb check render.exr --expect quad_light --edges all");
 }
 
 void add_report(CLI::App& app, ReportOptions& options) {
@@ -416,6 +274,7 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     RenderOptions render;
     CompareOptions compare;
     ExplainOptions explain;
+    ReferenceOptions reference;
     CheckOptions check;
     StudyOptions study;
     ReportOptions report;
@@ -426,6 +285,7 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
         add_converge(app, converge, counts);
         add_render(app, render);
         add_explain(app, explain);
+        add_reference(app, reference);
         add_compare(app, compare);
         add_check(app, check);
         add_integrate(app, integrate);
@@ -449,6 +309,7 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     if (app.got_subcommand("study")) return study;
     if (app.got_subcommand("render")) return render;
     if (app.got_subcommand("explain")) return explain;
+    if (app.got_subcommand("reference")) return reference;
     if (app.got_subcommand("compare")) return compare;
     if (app.got_subcommand("check")) return check;
     if (app.got_subcommand("integrate")) return integrate;

@@ -51,12 +51,18 @@ struct ListOptions {
     bool json = false;
 };
 
+/// Where references are kept.
+constexpr const char* default_cache = "out/references";
+
 struct ConvergeOptions {
     std::vector<std::string> estimators, integrands;
     std::vector<std::uint64_t> n;
     std::uint64_t replicates = 1000;
     std::optional<std::uint64_t> seed;
     int threads = 0;
+    std::string images;     ///< a pattern of files that somebody has, instead of estimators and integrands
+    std::string reference;  ///< of a scene: a file, "auto" for the cached one; empty: measured for the purpose
+    std::string cache = default_cache;
     std::string json, report = "out/converge.html";
 };
 
@@ -111,6 +117,16 @@ struct RenderOptions : PathOptions {
     std::string out;  ///< empty: out/SCENE.exr
 };
 
+/// A render with a name in the cache.
+struct ReferenceOptions : RenderOptions {
+    ReferenceOptions() {
+        integrator = "path";
+        sampler = "sobol";
+        most_samples = 1u << 20;
+    }
+    std::string cache = default_cache;
+};
+
 /// One path of such a render.
 struct ExplainOptions : PathOptions {
     int x = 0, y = 0;  ///< of the pixel
@@ -119,9 +135,10 @@ struct ExplainOptions : PathOptions {
 };
 
 struct CompareOptions {
-    std::vector<std::string> images;  ///< a and b
+    std::vector<std::string> images;  ///< a and b; b may be a scene, for its reference
     std::vector<std::string> a, b;    ///< more independent renders of each
     bool exact_b = false;             ///< b is a deterministic picture
+    std::string cache = default_cache;
     ComparisonSettings settings;
     std::string json, report = "out/compare.html";
 };
@@ -145,9 +162,9 @@ struct Answered {
     int exit_code = 0;
 };
 
-using Options =
-    std::variant<Answered, VerifyOptions, RenderOptions, ListOptions, ConvergeOptions, IntegrateOptions, WeightsOptions,
-                 StudyOptions, ReportOptions, MergeOptions, CompareOptions, ExplainOptions, CheckOptions>;
+using Options = std::variant<Answered, VerifyOptions, RenderOptions, ListOptions, ConvergeOptions, IntegrateOptions,
+                             WeightsOptions, StudyOptions, ReportOptions, MergeOptions, CompareOptions, ExplainOptions,
+                             CheckOptions, ReferenceOptions>;
 
 /// The verbs that need nothing but a catalogue, or all those of the program that Plumb ships.
 enum class VerbSet { of_a_catalogue, shipped };

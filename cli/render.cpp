@@ -5,10 +5,10 @@
 #include "cli/path_options.h"
 #include "cli/picture_file.h"
 #include "cli/run_info.h"
+#include "cli/scene_identity.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/parallel.h"
-#include "integrators/provenance.h"
 #include "integrators/render_until.h"
 #include "scenes/film_part.h"
 #include "scenes/shipped.h"
@@ -30,19 +30,17 @@ void print_notes(const description::Scene& scene) {
 }
 
 // What the picture is a function of.
-Provenance provenance(const RenderOptions& options, const RenderSettings& settings, const Scene& scene,
-                      const std::string& version) {
-    return {.scene = scene_name(scene_file(options.scene)),
-            .scene_hash = fmt::format("{:016x}", scene.description().content_hash),
-            .integrator = options.integrator,
-            .sampler = settings.sampler,
-            .version = version,
-            .limits = limits_of(options),
-            .seed = settings.seed,
-            .samples_per_pixel = std::uint64_t{settings.passes} * settings.samples_per_pass,
-            .replicates = settings.passes,
-            .film = scene.sensor().film(),
-            .crop = settings.crop};
+Provenance provenance(const RenderOptions& options, const RenderSettings& settings, const Scene& scene) {
+    Provenance p = identity_of(options.scene, scene.description());
+    p.integrator = options.integrator;
+    p.sampler = settings.sampler;
+    p.limits = limits_of(options);
+    p.seed = settings.seed;
+    p.samples_per_pixel = std::uint64_t{settings.passes} * settings.samples_per_pass;
+    p.replicates = settings.passes;
+    p.film = scene.sensor().film();
+    p.crop = settings.crop;
+    return p;
 }
 
 std::string text_of(const FilmError& error) {
@@ -136,7 +134,7 @@ int render(const RenderOptions& options) {
     }
     const auto& [picture, error, met] = *done;
     if (options.time || options.error) settings.passes = static_cast<std::uint32_t>(picture.film.replicates());
-    const auto of = metadata_of(provenance(options, settings, scene, info.version));
+    const auto of = metadata_of(provenance(options, settings, scene));
     if (options.shard)
         write_film_part(out, {of, static_cast<std::uint32_t>(options.shard->index),
                               static_cast<std::uint32_t>(options.shard->count), picture.rays, picture.film});

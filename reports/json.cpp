@@ -310,8 +310,8 @@ Results results_from_json(std::string_view text, std::string_view name) {
     return parsed(text, name, "the JSON of a run", results_of);
 }
 
-std::string converge_json(const RunInfo& run, std::span<const Series> series) {
-    return text_of({{"run", to(run)}, {"series", list(series)}}, 2) + "\n";
+std::string converge_json(const RunInfo& run, std::span<const Series> series, std::span<const std::string> truths) {
+    return text_of({{"run", to(run)}, {"series", list(series)}, {"truths", truths}}, 2) + "\n";
 }
 
 std::string integration_json(const RunInfo& run, std::span<const ListRow> answers, std::span<const Series> series) {

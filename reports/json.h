@@ -18,8 +18,8 @@ std::string to_json(const Results& results);
 /// The inverse of to_json(); throws Error naming `name` (the file, say) for anything that is not such a document.
 Results results_from_json(std::string_view text, std::string_view name);
 
-/// What `plumb converge --json` writes: run and series.
-std::string converge_json(const RunInfo& run, std::span<const Series> series);
+/// What `plumb converge --json` writes: run, series, and sentences on the truths that are no exact values.
+std::string converge_json(const RunInfo& run, std::span<const Series> series, std::span<const std::string> truths);
 
 /// What `plumb integrate --json` writes: run, answers (one object each) and series.
 std::string integration_json(const RunInfo& run, std::span<const std::vector<Field>> answers,

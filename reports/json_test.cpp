@@ -77,7 +77,7 @@ TEST(Json, ReplacesBytesThatAreNotUtf8) {
 
 TEST(Json, OfConvergeHasSeriesWithPointsAndSlope) {
     const Results results = sample_results();
-    const std::string text = converge_json(results.run, results.claims[6].verdict.series);
+    const std::string text = converge_json(results.run, results.claims[6].verdict.series, {});
     for (const char* key : {"series", "estimator", "integrand", "points", "n", "evaluations", "seconds", "mse",
                             "mse_low", "mse_high", "bias", "bias_standard_error", "slope", "value", "low", "high"})
         EXPECT_THAT(text, HasSubstr("\"" + std::string(key) + "\": "));

@@ -1,0 +1,126 @@
+#include "cli/converge_images.h"
+
+#include <filesystem>
+
+#include "cli/image_pattern.h"
+#include "cli/run_info.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "core/image.h"
+#include "reports/html.h"
+#include "reports/json.h"
+#include "reports/text.h"
+#include "verification/image_convergence.h"
+
+namespace plumb {
+namespace {
+
+struct ReferencePicture {
+    std::string file;
+    Image image;
+    Picture picture;
+    bool variance_known;
+};
+
+ReferencePicture read_reference(const std::string& file) {
+    if (file.empty() || file == "auto") throw Error("converge --images: against what? Give --reference FILE");
+    ReferencePicture reference{file, read_image(file), {}, false};
+    const std::vector<std::string>& channels = reference.image.channels;
+    reference.variance_known =
+        std::ranges::any_of(channels, [](const std::string& c) { return c.starts_with("variance."); });
+    reference.picture =
+        picture_of(std::vector{reference.image}, std::vector{reference.file}, !reference.variance_known);
+    return reference;
+}
+
+// Reads and groups them; nothing but the pixels that count is kept.
+std::vector<RendersAt> read_renders(const std::vector<NamedImage>& files, const ReferencePicture& reference) {
+    std::vector<RendersAt> groups;
+    std::vector<Image> of_group;
+    for (const NamedImage& named : files) {
+        const std::string file = named.file.string();
+        if (std::filesystem::equivalent(named.file, reference.file))
+            throw Error(fmt::format("{}: the reference is among the images", file));
+        if (groups.empty() || groups.back().samples != named.samples) {
+            groups.push_back({.samples = named.samples, .seconds = 0});
+            of_group.clear();
+        }
+        RendersAt& at = groups.back();
+        of_group.push_back(read_image(named.file));
+        at.files.push_back(file);
+        require_independent(of_group, at.files);
+        require_independent(std::vector{reference.image, of_group.back()}, std::vector{reference.file, file});
+        at.renders.push_back(picture_of(std::vector{of_group.back()}, std::vector{file}, true));
+        at.seconds += named.seconds;
+    }
+    for (RendersAt& at : groups) {
+        at.seconds /= static_cast<double>(at.renders.size());
+        if (at.renders.size() < 2 && !reference.variance_known)
+            throw Error(
+                fmt::format("{}: the only image of {} samples, and {} has no layers variance.R …, so no error is "
+                            "known; give two seeds or more, or a reference with its variance",
+                            at.files[0], at.samples, reference.file));
+    }
+    return groups;
+}
+
+Series series_of(const std::vector<RendersAt>& groups, const ReferencePicture& reference, const std::string& pattern) {
+    Series series;
+    series.estimator = pattern;
+    series.integrand = reference.file;
+    for (const RendersAt& at : groups) {
+        series.points.push_back(convergence_point(at, reference.picture));
+        series.replicates = std::max<std::uint64_t>(series.replicates, at.renders.size());
+    }
+    series.slope = fit_slope(series.points, 0.95);
+    return series;
+}
+
+void print(const std::vector<RendersAt>& groups, const Series& series, double power) {
+    std::vector<std::vector<std::string>> rows;
+    const bool timed = std::isfinite(series.points.front().seconds);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const ConvergencePoint& p = series.points[i];
+        const double cost = timed ? p.seconds : static_cast<double>(p.n);
+        rows.push_back(
+            {std::to_string(p.n), std::to_string(groups[i].renders.size()), readable(p.seconds), readable(p.mse),
+             fmt::format("[{}, {}]", readable(p.mse_interval.low), readable(p.mse_interval.high)),
+             readable(p.mse / power), fmt::format("{} ± {}", readable(p.bias), readable(p.bias_standard_error)),
+             p.mse > 0 ? readable(1 / (p.mse * cost)) : "–"});
+    }
+    fmt::print("{}slope {} [{}, {}]\n",
+               table({{"spp", Align::right},
+                      {"images", Align::right},
+                      {"seconds", Align::right},
+                      {"mse", Align::right},
+                      {"95 %"},
+                      {"relMSE", Align::right},
+                      {"bias ± standard error"},
+                      {timed ? "1/(mse·seconds)" : "1/(mse·spp)", Align::right}},
+                     rows, static_cast<std::size_t>(terminal_style().width)),
+               readable(series.slope.value), readable(series.slope.interval.low), readable(series.slope.interval.high));
+}
+
+}  // namespace
+
+int converge_images(const ConvergeOptions& options) {
+    for (const std::string& file : {options.json, options.report})
+        if (!file.empty()) check_writable(file);
+    const std::vector<NamedImage> files = images_matching(options.images);
+    const ReferencePicture reference = read_reference(options.reference);
+    const std::vector<RendersAt> groups = read_renders(files, reference);
+    const Series series = series_of(groups, reference, options.images);
+
+    const RunInfo info = start_run(0, options.threads);
+    const std::string truth = fmt::format("{}: {}, whose own variance is {}", options.images, reference.file,
+                                          reference.variance_known ? "subtracted" : "not known and not subtracted");
+    const std::vector<Series> all{series};
+    if (!options.json.empty()) write_file(options.json, converge_json(info, all, std::vector{truth}));
+    if (!options.report.empty()) write_converge_report(info, all, options.report);
+    print(groups, series, power_of(reference.picture));
+    fmt::print("truth of {}\n", truth);
+    if (!options.report.empty()) fmt::print("report: {}\n", options.report);
+    return 0;
+}
+
+}  // namespace plumb
