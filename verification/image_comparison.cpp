@@ -303,9 +303,11 @@ ImageComparison compare(const Picture& a, const Picture& b, const ComparisonSett
                           .rounding = std::max(a.rounding, b.rounding),
                           .beta = settings.beta};
 
+    std::vector<double> spikes;
+    for (std::size_t c = 0; c < grid.channels; ++c) spikes.push_back(largest_spike(a, b, c));
     for (std::size_t c = 0; c < grid.channels; ++c) {
-        DifferenceSums all = grid.total(c);
-        all.known_to_differ = 0;  // a matter of their tiles
+        const DifferenceSums all = grid.total(c);
+        rules.spike = spikes[c];
         ChannelTest test{.channel = a.channels[c]};
         if (all.pixels > 0) {
             rules.delta = settings.delta * std::abs(all.b) / static_cast<double>(all.pixels);
@@ -321,6 +323,7 @@ ImageComparison compare(const Picture& a, const Picture& b, const ComparisonSett
         for (int column = 0; column < grid.columns; ++column)
             for (std::size_t c = 0; c < grid.channels; ++c) {
                 const DifferenceSums& sums = grid.at(column, row, c);
+                rules.spike = spikes[c];
                 const double own = sums.pixels > 0 ? std::abs(sums.b) / static_cast<double>(sums.pixels) : 0;
                 rules.delta =
                     settings.tile_delta * std::max(own, settings.tile_floor * std::abs(found.channels[c].mean.b));

@@ -186,6 +186,17 @@ TEST(ImageComparison, OfPicturesWithoutVarianceIsEquality) {
     EXPECT_EQ(compared(flat(1, 0), flat(1.01f, 0)).verdict.outcome, Outcome::refuted);
 }
 
+// As a lamp that one integrator sees without noise, and the other but for a rare splat, which shows in another place.
+TEST(ImageComparison, OfTilesWithoutVarianceAllowsForSpikesThatThePictureHasElsewhere) {
+    Image a = flat(1, 0), b = flat(0.998f, 0);
+    for (const std::size_t pixel : {3, 40}) b.values[2 * pixel] = 1.25f, b.values[2 * pixel + 1] = 0.0625f;
+    const ImageComparison found = compared(a, b, {.tile = 8});
+    EXPECT_NE(found.verdict.outcome, Outcome::refuted) << found.verdict.reason;
+    EXPECT_EQ(compared(a, flat(0.5f, 0), {.tile = 8}).verdict.outcome, Outcome::refuted);
+    for (std::size_t pixel = 128; pixel < 256; ++pixel) b.values[2 * pixel] = 0.9f;  // 51 spikes' worth of light
+    EXPECT_EQ(compared(a, b, {.tile = 8}).verdict.outcome, Outcome::refuted);
+}
+
 TEST(ImageComparison, DoesNotTrustABlackThatOnlyOneSideSees) {
     const ImageComparison found = compared(flat(0, 0), flat(1, 0.01f));
     EXPECT_EQ(found.verdict.outcome, Outcome::undecided);

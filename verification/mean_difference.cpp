@@ -29,20 +29,16 @@ double around(const Picture& a, const Picture& b, int x, int y, std::size_t chan
     return count > 0 ? sum / count : 0;
 }
 
-bool known_to_differ(const Picture& a, const Picture& b, std::size_t k) {
-    const double rounding = 2 * std::max(a.rounding, b.rounding) * (std::abs(a.mean[k]) + std::abs(b.mean[k]));
-    return a.variance[k] == 0 && b.variance[k] == 0 && std::min(a.degrees, b.degrees) >= 3 &&
-           std::abs(a.mean[k] - b.mean[k]) > rounding;
-}
-
 double finite_part(double variance, double degrees) {
     return std::isinf(degrees) ? 0 : variance * variance / (degrees + 2);
 }
 
-// Student's t as the standard normal quantile of the same tail; tails below 1e-300 are all alike.
-double normal_score(double t, double degrees) {
-    const double tail = student_two_sided_tail(t, degrees) / 2;
+// The standard normal quantile of a tail, and of the tail of Student's t; tails below 1e-300 are all alike.
+double score_of_tail(double tail) {
     return tail >= 0.5 ? 0 : normal_upper_quantile(std::max(tail, 1e-300));
+}
+double normal_score(double t, double degrees) {
+    return score_of_tail(student_two_sided_tail(t, degrees) / 2);
 }
 
 // Of the larger of both sides' sums, with a number of standard errors upon it.
@@ -65,7 +61,6 @@ void DifferenceSums::merge(const DifferenceSums& other) {
     third_a += other.third_a;
     third_b += other.third_b;
     third_error += other.third_error;
-    known_to_differ += other.known_to_differ;
 }
 
 DifferenceSums sums_of(const Picture& a, const Picture& b, const PixelBox& box, std::size_t channel) {
@@ -78,7 +73,6 @@ DifferenceSums sums_of(const Picture& a, const Picture& b, const PixelBox& box, 
             const double reach = 2 * std::sqrt(va + vb);
             const double e = std::clamp(a.mean[k] - b.mean[k] - around(a, b, x, y, channel), -reach, reach);
             ++sums.pixels;
-            sums.known_to_differ += known_to_differ(a, b, k);
             sums.a += a.mean[k];
             sums.b += b.mean[k];
             sums.variance_a += va;
@@ -89,6 +83,13 @@ DifferenceSums sums_of(const Picture& a, const Picture& b, const PixelBox& box, 
             sums.third_error += e * e * std::max(va * va, vb * vb);
         }
     return sums;
+}
+
+double largest_spike(const Picture& a, const Picture& b, std::size_t channel) {
+    double largest = 0;
+    for (std::size_t k = channel; k < a.mean.size(); k += a.channels.size())
+        if (good(a, b, k)) largest = std::max(largest, a.variance[k] + b.variance[k]);
+    return std::sqrt(largest);
 }
 
 double skewed_p_value(double z, double skewness) {
@@ -114,10 +115,12 @@ MeanDifference difference_of(const DifferenceSums& sums, const DifferenceSums& a
     const double excess = std::max(0.0, std::abs(found.difference) - rounding - rules.epsilon);
     found.standard_error = std::sqrt(variance) / n;
     found.degrees = std::numeric_limits<double>::infinity();
-    if (variance == 0) {  // both are known: they are equal or not
-        found.z = excess > 0 ? std::copysign(std::numeric_limits<double>::infinity(), found.difference) : 0;
-        found.p_value = excess > 0 ? 0 : 1;
-        found.interval = {found.difference, found.difference};
+    if (variance == 0) {
+        const double missing = rules.spike / n;  // of the mean, by a spike
+        const double reach = excess > 0 ? rounding - std::log(rules.beta) * missing : 0;
+        found.p_value = excess > 0 ? std::exp(-excess / missing) : 1;
+        found.z = std::copysign(score_of_tail(found.p_value / 2), found.difference);
+        found.interval = {found.difference - reach, found.difference + reach};
         return found;
     }
     // [Satterthwaite 1946], with E v² = σ⁴ (1 + 2/ν) taken into account: exact for a single variance.
@@ -128,10 +131,6 @@ MeanDifference difference_of(const DifferenceSums& sums, const DifferenceSums& a
     found.skewness = std::max(skewness_of(sums, 2, rules.inflation), share * skewness_of(around, 0, rules.inflation));
     found.z = std::copysign(normal_score(excess / found.standard_error, found.degrees), found.difference);
     found.p_value = skewed_p_value(found.z, found.skewness);
-    if (sums.known_to_differ > 0) {
-        found.z = std::copysign(largest_score, found.difference);
-        found.p_value = 0;
-    }
     const double reach = student_upper_quantile(rules.beta, found.degrees) * found.standard_error + rounding;
     found.interval = {found.difference - reach, found.difference + reach};
     return found;

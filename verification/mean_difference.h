@@ -30,10 +30,9 @@ struct DifferenceSums {
     std::uint64_t pixels = 0;
     double a = 0, b = 0;  ///< of values
     double variance_a = 0, variance_b = 0;
-    double square = 0;                  ///< of variance² / (degrees + 2), both sides: unbiased for 1/degrees of σ⁴
-    double third_a = 0, third_b = 0;    ///< of third cumulants
-    double third_error = 0;             ///< variance of those
-    std::uint64_t known_to_differ = 0;  ///< pixels without variance in both, of four replicates or more, and unequal
+    double square = 0;                ///< of variance² / (degrees + 2), both sides: unbiased for 1/degrees of σ⁴
+    double third_a = 0, third_b = 0;  ///< of third cumulants
+    double third_error = 0;           ///< variance of those
 
     void merge(const DifferenceSums& other);
 };
@@ -52,10 +51,17 @@ struct DifferenceRules {
     double epsilon = 0;                   ///< absolute: a difference that is allowed, and refutes nothing
     double beta = 0.01;
     double delta = 0;  ///< absolute
+    /// What a rare path brings to a pixel's mean, as it shows elsewhere: pixels without variance, on either side, may
+    /// lack some. 0: nothing shows noise anywhere.
+    double spike = 0;
 };
 
-/// Tests equality and gives the interval of the difference. `around`: sums of a larger region with it, whose skewness
-/// counts where it is more: spikes that the region has and these pixels happen to lack.
+/// The largest standard error of a pixel's difference, of one channel: as much as one path brought there, at least.
+double largest_spike(const Picture& a, const Picture& b, std::size_t channel);
+
+/// Tests equality and gives the interval of the difference. Sums without any variance are equal or not, but for spikes
+/// that no sample met: with m of them expected, that has probability exp(−m) [Poisson]. `around`: sums of a larger
+/// region with it, whose skewness counts where it is more: spikes that the region has and these pixels happen to lack.
 MeanDifference difference_of(const DifferenceSums& sums, const DifferenceSums& around, const DifferenceRules& rules);
 
 /// Whether skewness allows intervals of this one-sided risk: skewness·z³/3 ≤ 1.
