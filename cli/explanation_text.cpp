@@ -78,8 +78,8 @@ std::string splats_text(const ExplainedSample& sample) {
     for (std::size_t i = 0; i < splats.size(); ++i) {
         const Splat& s = splats[i];
         const auto strategy = sample.told.strategy_of(i);
-        said += fmt::format("splat {} at film ({:.6g}, {:.6g}): {} edges{}, {}{}\n", i + 1, s.film[0], s.film[1],
-                            s.edges, strategy ? ", " + text(*strategy) : "", text(s.value),
+        said += fmt::format("splat {} at film ({:.6g}, {:.6g}): {} {}{}, {}{}\n", i + 1, s.film[0], s.film[1], s.edges,
+                            s.edges == 1 ? "edge" : "edges", strategy ? ", " + text(*strategy) : "", text(s.value),
                             s.anywhere ? " for every pixel whose filter reaches it" : "");
     }
     return said;
