@@ -46,6 +46,7 @@ Catalogue shipped_catalogue() {
     add_texture_claims(catalogue);
     add_bsdf_model_claims(catalogue);
     add_bsdf_term_claims(catalogue);
+    add_transport_class_claims(catalogue);
     add_transport_closed_claims(catalogue);
     add_transport_equal_claims(catalogue);
     add_transport_radiosity_claims(catalogue);

@@ -48,6 +48,7 @@ void add_direct_visibility_claims(Catalogue& catalogue);
 void add_path_claims(Catalogue& catalogue);
 void add_surface_claims(Catalogue& catalogue);
 void add_texture_claims(Catalogue& catalogue);
+void add_transport_class_claims(Catalogue& catalogue);
 void add_transport_closed_claims(Catalogue& catalogue);
 void add_transport_equal_claims(Catalogue& catalogue);
 void add_transport_radiosity_claims(Catalogue& catalogue);

@@ -53,24 +53,15 @@ Plates uneven_box() {
 }
 
 std::vector<Subject> subjects() {
-    return {{"two-plates",
-             "Between two plates",
-             two_plates(),
-             solved<two_plates>,
-             {{0, 0.1, 0.3}, {1, 0.2, 0.4}},
-             1e-7},
-            {"closed-box",
-             "In a closed box of albedo ½",
-             even_box(),
-             solved<even_box>,
-             {{2, 0.6, 0.4}},
-             2e-5},
-            {"uneven-box",
-             "In a closed box of different albedos",
-             uneven_box(),
-             solved<uneven_box>,
-             {{0, 0.3, 0.4}, {3, 0.5, 0.5}},
-             2e-5}};
+    return {
+        {"two-plates", "Between two plates", two_plates(), solved<two_plates>, {{0, 0.1, 0.3}, {1, 0.2, 0.4}}, 1e-7},
+        {"closed-box", "In a closed box of albedo ½", even_box(), solved<even_box>, {{2, 0.6, 0.4}}, 2e-5},
+        {"uneven-box",
+         "In a closed box of different albedos",
+         uneven_box(),
+         solved<uneven_box>,
+         {{0, 0.3, 0.4}, {3, 0.5, 0.5}},
+         2e-5}};
 }
 
 Scene scene_of(const Plates& plates, const Seen& seen) {
