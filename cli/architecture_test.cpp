@@ -22,7 +22,7 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"verification/suites",
      {"core", "analytic", "estimators", "scenes", "integrators", "verification", "checks", "verification/suites"}},
     {"reports", {"core", "verification", "reports"}},
-    {"studies", {"core", "analytic", "estimators", "verification", "reports", "studies"}},
+    {"studies", {"core", "analytic", "estimators", "scenes", "integrators", "verification", "reports", "studies"}},
     {"cli",
      {"core", "analytic", "estimators", "scenes", "integrators", "verification", "verification/suites", "reports",
       "studies", "cli"}},

@@ -1,11 +1,11 @@
 #include <filesystem>
 
 #include "cli/commands.h"
-#include "cli/scene_identity.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/image.h"
 #include "integrators/reference_cache.h"
+#include "integrators/scene_identity.h"
 #include "reports/comparison.h"
 #include "reports/text.h"
 #include "scenes/shipped.h"

@@ -3,7 +3,6 @@
 #include "analytic/integrand.h"
 #include "cli/commands.h"
 #include "cli/converge_images.h"
-#include "cli/converge_scene.h"
 #include "cli/run_info.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -13,6 +12,7 @@
 #include "reports/json.h"
 #include "reports/table.h"
 #include "studies/measure.h"
+#include "studies/scene_series.h"
 
 namespace plumb {
 namespace {
@@ -40,6 +40,8 @@ void check_names(const ConvergeOptions& options) {
             check_scene_methods(options.estimators);
             continue;
         }
+        if (!options.reference.empty())
+            throw Error(fmt::format("--reference for '{}'; accepted are scenes, and --images", on));
         for (const std::string& estimator : options.estimators) measure_any(estimator, on, nothing, run);
     }
 }
@@ -47,8 +49,9 @@ void check_names(const ConvergeOptions& options) {
 std::vector<Series> measure_all(const std::string& on, const ConvergeOptions& options, const Run& run,
                                 std::vector<std::string>& truths) {
     if (names_scene(on)) {
-        SceneSeries measured = converge_on_scene(on, options, run);
-        truths.push_back(fmt::format("{}: {}", on, measured.truth));
+        SceneSeries measured = measure_scene(
+            on, {options.estimators, options.n, options.replicates, options.reference, options.cache}, run);
+        truths.push_back(fmt::format("{}: {}", on, measured.said));
         return std::move(measured.series);
     }
     std::vector<Series> series;
@@ -81,10 +84,10 @@ int converge(const ConvergeOptions& options) {
     }
     info.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!options.json.empty()) write_file(options.json, converge_json(info, series, truths));
-    write_converge_report(info, series, options.report);
+    if (!options.report.empty()) write_converge_report(info, series, options.report);
     fmt::print("{}", converge_table(series, terminal_style()));
     for (const std::string& truth : truths) fmt::print("truth of {}\n", truth);
-    fmt::print("report: {}\n", options.report);
+    if (!options.report.empty()) fmt::print("report: {}\n", options.report);
     return 0;
 }
 

@@ -3,6 +3,7 @@
 
 #include "cli/options.h"
 #include "core/error.h"
+#include "core/sample_counts.h"
 
 namespace plumb {
 
@@ -45,24 +46,6 @@ std::vector<double> parse_domain(const std::string& text) {
         throw Error(fmt::format("'{}' is not a domain; accepted: x0,x1 or x0,x1,y0,y1 with x0 < x1, y0 < y1", text));
     return ends;
 }
-
-namespace {
-
-// So many whole numbers with commas between; empty where the text is something else.
-std::vector<int> parse_integers(const std::string& text, std::size_t count) {
-    std::vector<int> numbers;
-    const char *at = text.data(), *const end = at + text.size();
-    for (bool comma = true; comma && numbers.size() < count;) {
-        const auto [next, failure] = std::from_chars(at, end, numbers.emplace_back());
-        if (failure != std::errc()) return {};
-        comma = next != end && *next == ',' && numbers.size() < count;
-        at = next + (comma ? 1 : 0);
-    }
-    if (numbers.size() != count || at != end) return {};
-    return numbers;
-}
-
-}  // namespace
 
 std::vector<int> parse_strategy(const std::string& text) {
     std::vector<int> numbers = parse_integers(text, 2);

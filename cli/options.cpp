@@ -6,9 +6,9 @@
 #include <filesystem>
 
 #include "cli/option_adders.h"
-#include "cli/version.h"
 #include "core/error.h"
 #include "core/sample_counts.h"
+#include "core/version.h"
 
 namespace plumb {
 namespace {

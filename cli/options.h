@@ -51,9 +51,6 @@ struct ListOptions {
     bool json = false;
 };
 
-/// Where references are kept.
-constexpr const char* default_cache = "out/references";
-
 struct ConvergeOptions {
     std::vector<std::string> estimators, integrands;
     std::vector<std::uint64_t> n;
@@ -62,7 +59,7 @@ struct ConvergeOptions {
     int threads = 0;
     std::string images;     ///< a pattern of files that somebody has, instead of estimators and integrands
     std::string reference;  ///< of a scene: a file, "auto" for the cached one; empty: measured for the purpose
-    std::string cache = default_cache;
+    std::string cache = "out/references";
     std::string json, report = "out/converge.html";
 };
 
@@ -124,7 +121,7 @@ struct ReferenceOptions : RenderOptions {
         sampler = "sobol";
         most_samples = 1u << 20;
     }
-    std::string cache = default_cache;
+    std::string cache = "out/references";
 };
 
 /// One path of such a render.
@@ -138,7 +135,7 @@ struct CompareOptions {
     std::vector<std::string> images;  ///< a and b; b may be a scene, for its reference
     std::vector<std::string> a, b;    ///< more independent renders of each
     bool exact_b = false;             ///< b is a deterministic picture
-    std::string cache = default_cache;
+    std::string cache = "out/references";
     ComparisonSettings settings;
     std::string json, report = "out/compare.html";
 };

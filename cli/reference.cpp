@@ -1,11 +1,11 @@
 #include <filesystem>
 
 #include "cli/commands.h"
-#include "cli/scene_identity.h"
 #include "core/error.h"
 #include "integrators/integrators.h"
 #include "integrators/reference_cache.h"
 #include "integrators/render_until.h"
+#include "integrators/scene_identity.h"
 
 namespace plumb {
 

@@ -94,6 +94,7 @@ TEST_F(ReferenceCommand, NamesWhatIsWrong) {
         HasSubstr(
             "there is no reference of lamp.xml in out/references; make one by: plumb reference lamp.xml --error"));
     EXPECT_THAT(complaint(converge + "none.exr"), HasSubstr("none.exr"));
+    EXPECT_THAT(complaint("converge independent --on exp --reference auto"), HasSubstr("--reference for 'exp'"));
     EXPECT_THAT(complaint("converge path direct --on lamp.xml --n 64 --reference auto"), HasSubstr("path and direct"));
     ASSERT_EQ(plumb("render lamp.xml --integrator path --spp 32 --seed 2 -o a.exr").exit_code, 0);
     ASSERT_EQ(plumb("render quad_light --integrator path --spp 4 --crop 0,0,24,16 -o other.exr").exit_code, 0);

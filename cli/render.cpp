@@ -5,11 +5,11 @@
 #include "cli/path_options.h"
 #include "cli/picture_file.h"
 #include "cli/run_info.h"
-#include "cli/scene_identity.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/parallel.h"
 #include "integrators/render_until.h"
+#include "integrators/scene_identity.h"
 #include "scenes/film_part.h"
 #include "scenes/shipped.h"
 

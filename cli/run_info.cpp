@@ -7,9 +7,9 @@
 #include <chrono>
 #include <cstdio>
 
-#include "cli/version.h"
 #include "core/parallel.h"
 #include "core/random.h"
+#include "core/version.h"
 
 namespace plumb {
 

@@ -8,8 +8,8 @@
 #include "cli/judge_watched.h"
 #include "cli/outputs.h"
 #include "cli/run_info.h"
-#include "cli/version.h"
 #include "core/error.h"
+#include "core/version.h"
 #include "reports/store.h"
 
 namespace plumb {

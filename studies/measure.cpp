@@ -1,6 +1,9 @@
 #include "studies/measure.h"
 
+#include <fmt/ranges.h>
+
 #include "core/error.h"
+#include "studies/scene_series.h"
 #include "verification/convergence.h"
 
 namespace plumb {
@@ -33,6 +36,19 @@ FigurePanel measure_panel(const Study& study, const FigurePlan& plan, const Inte
         }
     }
     return panel;
+}
+
+FigurePanel measure_scene_panel(const FigurePlan& plan, const std::string& scene, const Run& run,
+                                const std::function<void(const std::string&)>& progress) {
+    const std::string what = fmt::format("{}: {} on {}", plan.about.id, fmt::join(plan.estimators, ", "), scene);
+    progress(what);
+    try {
+        SceneSeries measured =
+            measure_scene(scene, {plan.estimators, plan.budget.counts, plan.replicates, plan.reference}, run);
+        return {.integrand = scene, .integral = measured.truth, .series = std::move(measured.series)};
+    } catch (const Error& error) {
+        throw Error(fmt::format("{}: {}", what, error.what()));
+    }
 }
 
 }  // namespace
@@ -81,9 +97,10 @@ std::vector<FigureResult> measure_study(const Study& study, const Run& run,
     for (const FigurePlan& plan : study.figures) {
         FigureResult& figure = figures.emplace_back(FigureResult{plan.about, {}});
         for (const std::string& id : plan.integrands)
-            figure.panels.push_back(knows_integrand<1>(id)
-                                        ? measure_panel(study, plan, find_integrand<1>(id), run, progress)
-                                        : measure_panel(study, plan, find_integrand<2>(id), run, progress));
+            figure.panels.push_back(
+                knows_integrand<1>(id)   ? measure_panel(study, plan, find_integrand<1>(id), run, progress)
+                : knows_integrand<2>(id) ? measure_panel(study, plan, find_integrand<2>(id), run, progress)
+                                         : measure_scene_panel(plan, id, run, progress));
     }
     return figures;
 }

@@ -116,5 +116,27 @@ TEST(StudyFiles, StandInTheirFolderTogether) {
     EXPECT_THAT(read_file(folder / "study" / "series.csv"), StartsWith("figure,estimator"));
 }
 
+TEST(MeasureStudy, MeasuresIntegratorsOnScenes) {
+    const Study study = parse_study(R"(
+title = "A scene"
+replicates = 8
+n = [4, 16]
+[[figure]]
+id = "floor"
+estimators = ["direct-emitters", "direct-emitters+sobol"]
+integrands = ["quad_light:60,70,4,4"]
+)",
+                                    "scene.toml");
+    const std::vector<FigureResult> figures = measure_study(study, plumb::Run(5, "study", 1), [](const auto&) {});
+    const FigurePanel& panel = figures.at(0).panels.at(0);
+    EXPECT_EQ(panel.integrand, "quad_light:60,70,4,4");
+    ASSERT_EQ(panel.series.size(), 2u);
+    EXPECT_EQ(panel.series[1].estimator, "direct-emitters+sobol");
+    ASSERT_EQ(panel.series[1].points.size(), 2u);
+    EXPECT_GT(panel.series[0].points[0].evaluations, 4);  // rays
+    EXPECT_NEAR(panel.series[0].points[0].bias, 0, 6 * panel.series[0].points[0].bias_standard_error);
+    EXPECT_GT(panel.integral, 0);
+}
+
 }  // namespace
 }  // namespace plumb

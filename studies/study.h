@@ -20,7 +20,8 @@ struct Budget {
 
 struct FigurePlan {
     FigureText about;
-    std::vector<std::string> estimators, integrands;  ///< every one on every one
+    std::vector<std::string> estimators, integrands;  ///< every one on every one; scenes may stand for integrands
+    std::string reference = {};                       ///< of scenes, see SceneMeasure
     Budget budget;
     std::uint64_t replicates = 1000;
 };

@@ -6,6 +6,7 @@
 #include "core/sample_counts.h"
 #include "estimators/batches.h"
 #include "estimators/step_density_estimators.h"
+#include "studies/scene_series.h"
 
 #include <toml++/toml.h>
 
@@ -123,7 +124,7 @@ private:
 
 // ---- budgets, metrics, axes, guides: may stand at the top as defaults, and in a figure
 
-const std::vector<std::string> measure_keys = {"n", "evaluations", "replicates", "metrics", "x", "slopes"};
+const std::vector<std::string> measure_keys = {"n", "evaluations", "replicates", "reference", "metrics", "x", "slopes"};
 
 std::vector<std::uint64_t> counts(const Section& section, const char* key) {
     return section.read(key, [&](const toml::node& node) {
@@ -142,6 +143,7 @@ void read_measure(const Section& section, FigurePlan& plan) {
     if (section.has("replicates")) plan.replicates = section.count("replicates", 2, 100'000'000);
     if (section.has("metrics")) plan.about.metrics = section.list<std::string>("metrics", "a metric", metric_from);
     if (section.has("x")) plan.about.x = section.read("x", [&](const auto&) { return work_from(section.text("x")); });
+    if (section.has("reference")) plan.reference = section.text("reference");
     if (section.has("slopes")) plan.about.slopes = section.numbers("slopes");
 }
 
@@ -215,6 +217,10 @@ void check_names(const Study& study, const FigurePlan& plan, const Section& sect
             check_estimators(study, plan, section, find_integrand<1>(id));
         } else if (knows_integrand<2>(id)) {
             check_estimators(study, plan, section, find_integrand<2>(id));
+        } else if (names_scene(id)) {
+            section.read("estimators", [&](const auto&) { return check_scene_methods(plan.estimators), 0; });
+            if (plan.budget.unit == Budget::Unit::evaluations)
+                section.fail("evaluations", fmt::format("of the scene '{}'; n is accepted", id));
         } else {
             std::vector<std::string> known;
             for (const auto& f : integrands<1>()) known.push_back(f.id);

@@ -176,5 +176,14 @@ TEST(StudyFile, OfAWrongEstimatorIsComplainedAbout) {
                 HasSubstr(":5: unknown key 'estimator.size'"));
 }
 
+TEST(StudyFile, TakesScenesForIntegrands) {
+    const std::string scene = "id = 'a'\nestimators = ['path', 'path+sobol']\nintegrands = ['cornell_box:8,8']\n";
+    EXPECT_EQ(parse_study(with_figure(scene + "reference = 'auto'\n"), "study.toml").figures.at(0).reference, "auto");
+    EXPECT_THAT(complaint("title = 'T'\nevaluations = [16]\n[[figure]]\n" + scene),
+                HasSubstr("of the scene 'cornell_box:8,8'; n is accepted"));
+    EXPECT_THAT(complaint(with_figure("id = 'a'\nestimators = ['paht']\nintegrands = ['cornell_box']\n")),
+                HasSubstr("figure.estimators: unknown integrator 'paht'; did you mean 'path'?"));
+}
+
 }  // namespace
 }  // namespace plumb

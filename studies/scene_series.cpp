@@ -1,20 +1,22 @@
-#include "cli/converge_scene.h"
+#include "studies/scene_series.h"
 
 #include <array>
 #include <cmath>
 #include <filesystem>
 
-#include "cli/scene_identity.h"
 #include "core/error.h"
 #include "core/moments.h"
 #include "core/parallel.h"
+#include "core/sample_counts.h"
 #include "integrators/integrators.h"
 #include "integrators/reference_cache.h"
 #include "integrators/region_estimate.h"
 #include "integrators/sampler.h"
+#include "integrators/scene_identity.h"
 #include "scenes/mitsuba_xml.h"
 #include "scenes/shipped.h"
 #include "verification/convergence.h"
+#include "verification/picture.h"
 
 namespace plumb {
 namespace {
@@ -28,8 +30,14 @@ Place parse_place(const std::string& on) {
     const std::size_t colon = on.rfind(':');
     if (colon == std::string::npos) return {on, {}};
     const std::string part = on.substr(colon + 1);
-    const bool pixel = std::ranges::count(part, ',') == 1;
-    return {on.substr(0, colon), parse_crop(pixel ? part + ",1,1" : part)};
+    std::vector<int> numbers = parse_integers(part, 2);
+    if (numbers.empty())
+        numbers = parse_integers(part, 4);
+    else
+        numbers.insert(numbers.end(), {1, 1});
+    if (numbers.empty() || numbers[2] < 1 || numbers[3] < 1)
+        throw Error(fmt::format("'{}' is no part of a film; accepted: x,y or x,y,width,height in pixels", part));
+    return {on.substr(0, colon), numbers};
 }
 
 FilmRegion region_of(const Place& place, FilmSize film) {
@@ -96,17 +104,17 @@ std::optional<int> longest_path(const Method& method) {
     return Provenance{.integrator = method.id}.longest_path();
 }
 
-Reference reference_picture(const ConvergeOptions& options, const std::string& asked, const Provenance& scene,
+Reference reference_picture(const SceneMeasure& measure, const std::string& asked, const Provenance& scene,
                             std::optional<int> longest) {
-    if (options.reference == "auto") return require_reference(options.cache, scene, longest, asked);
-    Reference reference{options.reference, read_image(options.reference), {}};
-    const std::optional<Provenance> said = provenance_of(reference.image, options.reference);
+    if (measure.reference == "auto") return require_reference(measure.cache, scene, longest, asked);
+    Reference reference{measure.reference, read_image(measure.reference), {}};
+    const std::optional<Provenance> said = provenance_of(reference.image, measure.reference);
     if (said && said->scene_hash != scene.scene_hash)
         throw Error(fmt::format("{}: is of another scene than {}, or of another version of it: hash {}, not {}",
-                                options.reference, scene.scene, said->scene_hash, scene.scene_hash));
+                                measure.reference, scene.scene, said->scene_hash, scene.scene_hash));
     if (said && (!said->is_radiance() || said->longest_path() != longest))
         throw Error(
-            fmt::format("{}: was rendered with other lengths of paths than the estimators have", options.reference));
+            fmt::format("{}: was rendered with other lengths of paths than the estimators have", measure.reference));
     if (said) reference.provenance = *said;
     return reference;
 }
@@ -150,21 +158,21 @@ void check_scene_methods(const std::vector<std::string>& estimators) {
     for (const std::string& id : estimators) method_of(id);
 }
 
-SceneSeries converge_on_scene(const std::string& on, const ConvergeOptions& options, const Run& run) {
+SceneSeries measure_scene(const std::string& on, const SceneMeasure& measure, const Run& run) {
     const Place place = parse_place(on);
     const Scene scene(load_mitsuba(scene_file(place.scene), {.lenient = true}));
     const FilmSize film = scene.sensor().film();
     const FilmRegion region = region_of(place, film);
     std::vector<Method> methods;
-    for (const std::string& id : options.estimators) methods.push_back(method_of(id));
+    for (const std::string& id : measure.estimators) methods.push_back(method_of(id));
     Truth truth;
-    if (options.reference.empty()) {
+    if (measure.reference.empty()) {
         const Replicate best = [&](std::uint64_t n, RandomStream& random) {
             return region_estimate(scene, *methods.front().estimator, "sobol", region, n, random.bits());
         };
-        truth = measured(best, 4 * options.n.back(), options.replicates, run.part("reference of " + on));
+        truth = measured(best, 4 * measure.n.back(), measure.replicates, run.part("reference of " + on));
         truth.said = fmt::format("measured by {} with Sobol samples, {} replicates of {}; its variance is subtracted",
-                                 methods.front().id, options.replicates, 4 * options.n.back());
+                                 methods.front().id, measure.replicates, 4 * measure.n.back());
     } else {
         const std::optional<int> longest = longest_path(methods.front());
         for (const Method& method : methods)
@@ -172,10 +180,10 @@ SceneSeries converge_on_scene(const std::string& on, const ConvergeOptions& opti
                 throw Error(fmt::format("{} and {} have paths of other lengths, so that no reference is both's",
                                         methods.front().id, method.id));
         truth =
-            truth_of(reference_picture(options, place.scene, identity_of(place.scene, scene.description()), longest),
+            truth_of(reference_picture(measure, place.scene, identity_of(place.scene, scene.description()), longest),
                      region, film);
     }
-    SceneSeries all{{}, truth.said};
+    SceneSeries all{{}, truth.mean, truth.said};
     for (const Method& method : methods) {
         const Replicate replicate = [&](std::uint64_t n, RandomStream& random) {
             return region_estimate(scene, *method.estimator, method.sampler, region, n, random.bits());
@@ -183,8 +191,8 @@ SceneSeries converge_on_scene(const std::string& on, const ConvergeOptions& opti
         const ConvergenceSetting setting{.estimator = method.id,
                                          .integrand = on,
                                          .truth = truth.mean,
-                                         .n = options.n,
-                                         .replicates = options.replicates};
+                                         .n = measure.n,
+                                         .replicates = measure.replicates};
         all.series.push_back(measure_convergence(replicate, setting, run.part(method.id + " on " + on)));
         subtract(truth, all.series.back());
     }

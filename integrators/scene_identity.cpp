@@ -1,8 +1,8 @@
-#include "cli/scene_identity.h"
+#include "integrators/scene_identity.h"
 
 #include <fmt/format.h>
 
-#include "cli/version.h"
+#include "core/version.h"
 #include "scenes/shipped.h"
 
 namespace plumb {
