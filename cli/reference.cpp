@@ -22,7 +22,8 @@ int reference(const ReferenceOptions& options) {
         const std::string says =
             fmt::format("{}: relative error {:.3g} % (RMSE {:.3g}), {} samples a pixel, seed {}", file.string(),
                         100 * has.error.relative, has.error.rmse, has.samples_per_pixel, has.seed);
-        if (met || has.samples_per_pixel >= options.most_samples / 4 * 4) {
+        const std::uint32_t pass = RenderSettings{}.samples_per_pass;  // what is less than that is not rendered
+        if (met || has.samples_per_pixel + pass > options.most_samples) {
             fmt::print("{}; {}\n", says, met ? "nothing to do" : "more needs a larger --max-spp");
             return met ? 0 : 3;
         }

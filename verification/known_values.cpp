@@ -113,8 +113,14 @@ bool is_believed(const Picture& picture, const Covered& centre, std::size_t chan
     return found.a != 0;
 }
 
+// Whatever the skewness, an error beyond k standard deviations to one side has probability 1/(1 + k²) at most
+// [Cantelli 1928]: with that much room the interval need not be trusted.
+bool has_room(const MeanDifference& found, double beta) {
+    return found.delta - std::abs(found.difference) >= std::sqrt(1 / beta - 1) * found.standard_error;
+}
+
 TileState state_of(const MeanDifference& found, double beta) {
-    const bool trusted = interval_is_trusted(found, beta);
+    const bool trusted = interval_is_trusted(found, beta) || has_room(found, beta);
     if (found.interval.inside({-found.delta, found.delta}) && trusted) return TileState::same;
     return trusted ? TileState::too_noisy : TileState::heavy_tails;
 }

@@ -79,6 +79,22 @@ TEST(KnownValues, DistrustPixelsThatMayHaveMissedPaths) {
     EXPECT_EQ(state(1.1), TileState::no_variance);
 }
 
+TEST(KnownValues, HoldWithHeavyTailsWhereThereIsRoom) {
+    Picture picture = slope(1e-4, 15);
+    std::ranges::fill(picture.mean, 100);
+    for (std::size_t k = 0; k < picture.mean.size(); k += 5) {  // spikes, one standard error high
+        picture.mean[k] = 100.1;
+        picture.variance[k] = 1e-2;
+    }
+    const KnownValue known{.x = 8.5, .y = 8.5, .value = {100}};
+    const CheckedValue far = checked(picture, known, {.delta = 0.0011}),
+                       near = checked(picture, known, {.delta = 0.0009});
+    ASSERT_EQ(far.found.standard_error, 0.01);
+    EXPECT_GT(far.found.skewness, 0.3);
+    EXPECT_EQ(far.state, TileState::same);  // 11 standard errors; 1/(1 + 9.95²) is 1 %
+    EXPECT_EQ(near.state, TileState::heavy_tails);
+}
+
 TEST(KnownValues, PValuesAreStudentsOfTheExcessOverDelta) {
     const CheckedValue value = checked(slope(4, 15), {.x = 4.5, .y = 7.5, .value = {100}});
     // No skewness is seen where neighbours differ linearly.
