@@ -11,6 +11,8 @@
 namespace plumb {
 namespace {
 
+constexpr double floor_of_factors = 0x1p-6;  // a value that would leave less of a bet without bounds ruins it
+
 constexpr std::uint64_t warm_up = 32;  // without bounds, no bet before the variance can be guessed
 
 // The guard on skewness is never laxer than at this level: at 1e-2 it would let a fifth of x^-1/2 end in a verdict.
@@ -23,10 +25,9 @@ constexpr double holding_scale = 0.75;
 // The product of 1 + lambda (x − m) over a block: sixteen partial products, which the compiler turns into vectors. It
 // may overflow to infinity or, without bounds, underflow to 0: that is what the bet is worth then.
 double growth(double lambda, double m, std::span<const double> block) {
-    constexpr double floor = 0x1p-6;  // reached without bounds only, by a value farther out than all before it
     constexpr std::size_t lanes = 16;
     const double intercept = 1 - lambda * m;
-    const auto factor = [=](double x) { return std::max(std::fma(lambda, x, intercept), floor); };
+    const auto factor = [=](double x) { return std::max(std::fma(lambda, x, intercept), floor_of_factors); };
     std::array<double, lanes> product;
     product.fill(1);
     const std::size_t whole = block.size() / lanes * lanes;
@@ -79,11 +80,17 @@ double MeanTest::lambda(const Bet& bet, double variance) const {
     return std::copysign(std::min(std::abs(bet.scale) * setting_.delta / variance, cap), bet.scale);
 }
 
+// A value farther out than all before it may ruin a bet without bounds. What the bet had won while it could not know
+// better is then forfeited: else hundreds of values without a spike win more than any number of spikes takes back.
 void MeanTest::play(std::span<const double> block) {
     const double variance = variance_guess();
+    const auto [least, most] = std::ranges::minmax(block);
     const auto settle = [&](Bet& bet) {
-        if (const double slope = std::isfinite(bet.m) ? lambda(bet, variance) : 0; slope != 0)
-            bet.log_wealth += std::log(growth(slope, bet.m, block));
+        const double slope = std::isfinite(bet.m) ? lambda(bet, variance) : 0;
+        if (slope == 0) return;
+        bet.log_wealth += std::log(growth(slope, bet.m, block));
+        const bool ruined = 1 + slope * ((slope > 0 ? least : most) - bet.m) < floor_of_factors;
+        if (ruined && !is_exact(bet)) bet.log_wealth = std::min(bet.log_wealth, std::log(floor_of_factors));
     };
     for (Bet& bet : against_claim_) settle(bet);
     settle(against_large_);

@@ -119,6 +119,19 @@ TEST(MeanIs, ForgetsWhatItBelievedBeforeItSawTheSpikes) {
     }
 }
 
+// As of light that arrives by one ray in 250, less an estimate that hardly varies: before the first ray, each value is
+// a sure win against it.
+TEST(MeanIs, ForfeitsWhatItWonBeforeASpikeRuinedIt) {
+    const auto rays = [](RandomStream& random) {
+        return (random.uniform() < 0.004 ? 125 : 0) - 0.4 - 0.2 * random.uniform();
+    };
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const Verdict verdict =
+            mean_is(rays, {.reference = 0, .delta = 0.05, .min_samples = 8192}, Run(seed, "rays", 1e-6));
+        EXPECT_EQ(verdict.outcome, Outcome::holds) << seed << ": " << verdict.reason;
+    }
+}
+
 TEST(MeanIs, SurvivesCancellationOfTwelveDigits) {
     const auto far = [](RandomStream& random) { return 1e12 + random.uniform(); };
     EXPECT_EQ(mean_is(far, {.reference = 1e12 + 0.5, .delta = 0.02, .epsilon = 0.001}, run).outcome, Outcome::holds);
