@@ -127,7 +127,7 @@ TEST(MeanIs, ForfeitsWhatItWonBeforeASpikeRuinedIt) {
     };
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         const Verdict verdict =
-            mean_is(rays, {.reference = 0, .delta = 0.05, .min_samples = 8192}, Run(seed, "rays", 1e-6));
+            mean_is(rays, {.reference = 0, .delta = 0.05, .min_samples = 8192}, plumb::Run(seed, "rays", 1e-6));
         EXPECT_EQ(verdict.outcome, Outcome::holds) << seed << ": " << verdict.reason;
     }
 }
