@@ -65,7 +65,7 @@ double MeanTest::variance_guess() const {
         const double half = setting_.bounds.width() / 2;
         return (sum_of_squares + half * half) / (n + 1);
     }
-    return moments_.count() < warm_up ? 0 : sum_of_squares / (n - 1);
+    return moments_.count() < std::max(warm_up, setting_.min_samples) ? 0 : sum_of_squares / (n - 1);
 }
 
 double MeanTest::lambda(const Bet& bet, double variance) const {
