@@ -80,7 +80,7 @@ Replicate error_of(const Subject& subject) {
 Verdict converges(const Subject& subject, const std::vector<std::uint64_t>& n, const Interval& exponents,
                   const Run& run) {
     const std::string what = subject.pixel ? "pixel" : subject.blocked ? "light with an edge" : "light in full sight";
-    return rate_is(error_of(subject), {subject.sampler, what, 0, n, run.pick<std::uint64_t>(600, 12'000)}, exponents,
+    return rate_is(error_of(subject), {subject.sampler, what, 0, n, run.pick<std::uint64_t>(1'200, 12'000)}, exponents,
                    run);
 }
 
