@@ -34,10 +34,7 @@ PathLength length_of(const Image& image, const std::string& file) {
     const std::optional<Provenance> provenance = provenance_of(image, file);
     if (!provenance)
         throw Error(fmt::format("{}: does not say how long its paths may be; give --edges N, or --edges all", file));
-    if (!provenance->is_radiance())
-        throw Error(fmt::format("{}: an image of `{}`, or of one strategy or length, is not all light of a scene", file,
-                                provenance->integrator));
-    return provenance->longest_path();
+    return longest_path_of(*provenance, file);
 }
 
 PathLength length_asked(const CheckOptions& options, const std::vector<Image>& images) {

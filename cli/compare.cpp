@@ -36,7 +36,7 @@ void find_reference(std::vector<std::string>& files_b, const std::string& file_a
     if (said && said->scene_hash != identity.scene_hash)
         throw Error(fmt::format("{}: is of another scene than {}, or of another version of it: hash {}, not {}", file_a,
                                 scene, said->scene_hash, identity.scene_hash));
-    const auto longest = said ? said->longest_path() : std::nullopt;
+    const auto longest = said ? longest_path_of(*said, file_a) : std::nullopt;
     files_b.front() = require_reference(cache, identity, longest, scene).file.string();
 }
 

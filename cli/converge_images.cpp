@@ -23,7 +23,8 @@ struct ReferencePicture {
 };
 
 ReferencePicture read_reference(const std::string& file) {
-    if (file.empty() || file == "auto") throw Error("converge --images: against what? Give --reference FILE");
+    if (file == "auto") throw Error("converge --images: --reference auto is for scenes (--on); give --reference FILE");
+    if (file.empty()) throw Error("converge --images: against what? Give --reference FILE");
     ReferencePicture reference{file, read_image(file), {}, false};
     const std::vector<std::string>& channels = reference.image.channels;
     reference.variance_known =

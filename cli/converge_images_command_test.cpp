@@ -73,6 +73,9 @@ TEST_F(ConvergeImages, AreToldWhatIsWrong) {
     EXPECT_THAT(complains("out_{spp}_1.exr"), HasSubstr("out_4_1.exr: the only image of 4 samples"));
     EXPECT_THAT(complaint("converge --images 'out_{spp}_{seed}.exr'"), HasSubstr("--reference FILE"));
     EXPECT_THAT(complaint("converge path --images 'out_{spp}_{seed}.exr' --reference ref.exr"), HasSubstr("--images"));
+    EXPECT_THAT(complains("out_{spp}_{seed}.exr", "auto"), HasSubstr("auto is for scenes"));
+    for (const char* option : {"--cache c", "--n 4", "--replicates 4", "--seed 4"})
+        EXPECT_THAT(complains("out_{spp}_{seed}.exr", std::string("ref.exr ") + option), HasSubstr("--images"));
     EXPECT_THAT(complaint("converge path"), HasSubstr("Give estimators and --on, or --images"));
     render("out_64_4.exr", 64, 16);
     EXPECT_THAT(complains("out_{spp}_{seed}.exr"), HasSubstr("out_64_4.exr: is 16x16 pixels, the reference 32x32"));

@@ -119,10 +119,11 @@ void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) 
     CLI::Option* on = verb->add_option("--on", options.integrands,
                                        "integrands, e.g. exp, or scenes: SCENE, SCENE:x,y (a pixel), "
                                        "SCENE:x,y,width,height");
-    verb->add_option("--images", options.images,
-                     "instead: the error of images that you have, 'out_{spp}_{seed}.exr'; {seconds} too, if known")
-        ->excludes(estimators)
-        ->excludes(on);
+    CLI::Option* images =
+        verb->add_option("--images", options.images,
+                         "instead: the error of images that you have, 'out_{spp}_{seed}.exr'; {seconds} too, if known")
+            ->excludes(estimators)
+            ->excludes(on);
     verb->add_option("--reference", options.reference,
                      "the truth: an image, or auto for the cached one of a scene; measured when not given");
     add_cache(verb, options.cache);
@@ -133,6 +134,7 @@ void add_converge(CLI::App& app, ConvergeOptions& options, std::string& counts) 
         ->check(CLI::Range(2, 100'000'000))
         ->capture_default_str();
     add_seed_and_threads(verb, options.seed, options.threads);
+    for (const char* other : {"--cache", "--n", "--replicates", "--seed"}) images->excludes(verb->get_option(other));
     verb->add_option("--json", options.json, "write the series as JSON to this file");
     verb->add_option("--report", options.report, "the page with the plots")->capture_default_str();
     verb->footer(

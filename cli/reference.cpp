@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "cli/commands.h"
+#include "cli/path_options.h"
 #include "core/error.h"
 #include "integrators/integrators.h"
 #include "integrators/reference_cache.h"
@@ -15,6 +16,7 @@ int reference(const ReferenceOptions& options) {
     wanted.limits.max_edges = options.max_depth;
     if (!wanted.is_radiance())
         throw Error(fmt::format("the integrator '{}' makes no pictures to compare others with", options.integrator));
+    estimator_of(options);  // or says which lengths it has
     const std::filesystem::path file = reference_file(options.cache, wanted);
     if (const auto found = find_reference(options.cache, wanted)) {
         const Provenance& has = found->provenance;

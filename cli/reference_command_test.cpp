@@ -86,6 +86,9 @@ TEST_F(ReferenceCommand, NamesWhatIsWrong) {
     EXPECT_THAT(complaint("reference lamp.xml"), HasSubstr("--error"));
     EXPECT_THAT(complaint("reference lamp.xml --error 5% --integrator aov"), HasSubstr("'aov'"));
     EXPECT_THAT(complaint("reference lamp.xml --error 5% --integrator paht"), HasSubstr("did you mean 'path'"));
+    for (const char* verb : {"reference lamp.xml --error 5%", "render lamp.xml", "explain lamp.xml 1 1 0"})
+        EXPECT_THAT(complaint(std::string(verb) + " --integrator direct --max-depth 3"),
+                    HasSubstr("accepted are 2 and -1"));
     EXPECT_THAT(complaint("reference lump.xml --error 5%"), HasSubstr("lump.xml"));
     EXPECT_THAT(complaint("reference lamp.xml --error 5% --cache /proc/none"), HasSubstr("/proc/none"));
     const std::string converge = "converge path --on lamp.xml --n 64 --replicates 4 --report c.html --reference ";
@@ -100,6 +103,8 @@ TEST_F(ReferenceCommand, NamesWhatIsWrong) {
     ASSERT_EQ(plumb("render quad_light --integrator path --spp 4 --crop 0,0,24,16 -o other.exr").exit_code, 0);
     ASSERT_EQ(plumb("render lamp.xml --integrator path --spp 32 --crop 0,0,8,8 -o part.exr").exit_code, 0);
     EXPECT_THAT(complaint("compare a.exr lamp.xml"), HasSubstr("there is no reference of lamp.xml"));
+    ASSERT_EQ(plumb("render lamp.xml --integrator path --length 2 --spp 4 -o length.exr").exit_code, 0);
+    EXPECT_THAT(complaint("compare length.exr lamp.xml"), HasSubstr("length.exr: an image of `path`, or of one"));
     EXPECT_THAT(complaint(converge + "other.exr"), HasSubstr("other.exr: is of another scene than lamp"));
     EXPECT_THAT(complaint(converge + "part.exr"), HasSubstr("part.exr: is 8x8 pixels, the film 24x16"));
     EXPECT_THAT(complaint("converge direct --on lamp.xml --n 64 --reference a.exr"), HasSubstr("lengths of paths"));

@@ -72,7 +72,15 @@ public:
     void look(std::uint64_t passes, const FilmError& error) {
         const double share = (target_->relative ? error.relative : error.rmse) / target_->error;
         const double factor = std::exp2(std::ceil(std::log2(std::max(1.0, share * share))));
-        line_.show(fmt::format("{} passes, {}, about {:.0f} s left", passes, text_of(error), seconds() * (factor - 1)));
+        found_ = fmt::format("{} passes, {}", passes, text_of(error));
+        if (std::isfinite(factor)) found_ += fmt::format(", about {:.0f} s left", seconds() * (factor - 1));
+        line_.show(found_);
+    }
+    void double_passes(const RenderProgress& progress) {
+        if (seconds_since(shown_) <= 0.1) return;
+        const double share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
+        line_.show(fmt::format("{}{}next look: {:3.0f} %", found_, found_.empty() ? "" : "; ", 100 * share));
+        shown_ = Clock::now();
     }
     [[nodiscard]] double seconds() const { return seconds_since(start_); }
 
@@ -80,15 +88,17 @@ private:
     std::optional<std::chrono::duration<double>> limit_;
     std::optional<ErrorTarget> target_;
     Clock::time_point start_ = Clock::now(), shown_ = start_;
+    std::string found_;
     ProgressLine line_;
 };
 
 RenderedUntil rendered(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings,
                        const RenderOptions& options, Watch& watch) {
     if (options.error)
-        return render_until(scene, estimator, settings, *options.error,
-                            options.most_samples / settings.samples_per_pass,
-                            [&](std::uint64_t passes, const FilmError& error) { watch.look(passes, error); });
+        return render_until(
+            scene, estimator, settings, *options.error, options.most_samples / settings.samples_per_pass,
+            [&](std::uint64_t passes, const FilmError& error) { watch.look(passes, error); },
+            [&](const RenderProgress& progress) { watch.double_passes(progress); });
     Rendered all = render(scene, estimator, settings, std::ref(watch));
     const FilmError error = error_of(all.film);
     return {std::move(all), error, true};

@@ -54,6 +54,9 @@ std::unique_ptr<PathEstimator> make_integrator(const std::string& id, PathLimits
     const NamedIntegrator& named = find_integrator(id);
     if (limits.strategy && id != "bdpt")
         throw Error(fmt::format("a strategy of the integrator '{}'; accepted is bdpt", id));
+    if (id.starts_with("direct") && limits.max_edges >= 0 && limits.max_edges != 2)
+        throw Error(fmt::format("paths of up to {} edges by the integrator '{}', whose have 2; accepted are 2 and -1",
+                                limits.max_edges, id));
     if (limits.length > 0 && limits.max_edges < 0) limits.max_edges = limits.length;  // no longer path is asked for
     auto estimator = named.make(limits);
     if (limits.length == 0) return estimator;

@@ -19,7 +19,8 @@ struct NamedIntegrator {
 const std::vector<NamedIntegrator>& integrators();
 /// Throws Error naming the nearest ones.
 const NamedIntegrator& find_integrator(const std::string& id);
-/// The integrator of that name, held to all limits: `length` too. Throws Error for a strategy of another than `bdpt`.
+/// The integrator of that name, held to all limits: `length` too. Throws Error for a strategy of another than `bdpt`,
+/// and for `direct` and its kind with a longest path of other than 2 edges.
 std::unique_ptr<PathEstimator> make_integrator(const std::string& id, PathLimits limits);
 
 }  // namespace plumb

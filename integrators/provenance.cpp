@@ -57,6 +57,13 @@ std::optional<int> Provenance::longest_path() const {
     return limits.max_edges < 0 ? std::nullopt : std::optional(limits.max_edges);
 }
 
+std::optional<int> longest_path_of(const Provenance& provenance, const std::string& file) {
+    if (!provenance.is_radiance())
+        throw Error(fmt::format("{}: an image of `{}`, or of one strategy or length, is not all light of a scene", file,
+                                provenance.integrator));
+    return provenance.longest_path();
+}
+
 std::map<std::string, std::string> metadata_of(const Provenance& p) {
     std::map<std::string, std::string> metadata{
         {"plumb:scene", p.scene},

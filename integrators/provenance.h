@@ -28,6 +28,9 @@ struct Provenance {
     [[nodiscard]] std::optional<int> longest_path() const;
 };
 
+/// The longest path that the file's picture counts. Throws Error naming it where it is not all light up to some length.
+std::optional<int> longest_path_of(const Provenance& provenance, const std::string& file);
+
 /// All but the error, which is known when the film is.
 std::map<std::string, std::string> metadata_of(const Provenance& provenance);
 std::map<std::string, std::string> metadata_of(const FilmError& error);

@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 fs::path reference_file(const fs::path& cache, const Provenance& wanted) {
     const std::optional<int> depth = wanted.longest_path();
-    const bool cut = depth && wanted.limits.max_edges >= 0;
+    const bool cut = depth && Provenance{.integrator = wanted.integrator}.longest_path() != depth;
     return cache / fmt::format("{}-{}-{}{}.exr", wanted.scene, wanted.scene_hash, wanted.integrator,
                                cut ? fmt::format("-d{}", *depth) : "");
 }

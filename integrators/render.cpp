@@ -112,9 +112,10 @@ RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_p
 }
 
 RenderSettings part_of(RenderSettings settings, std::uint32_t i, std::uint32_t n) {
-    if (i < 1 || i > n || i > settings.passes)
-        throw Error(fmt::format("part {} of {} of {} passes: accepted are 1 to {}", i, n, settings.passes,
-                                std::min(n, settings.passes)));
+    if (n > settings.passes)
+        throw Error(
+            fmt::format("{} parts of {} passes; accepted are 1 to {} parts", n, settings.passes, settings.passes));
+    if (i < 1 || i > n) throw Error(fmt::format("part {} of {}; accepted are 1 to {}", i, n, n));
     settings.first_pass = i - 1;
     settings.pass_step = n;
     return settings;

@@ -22,7 +22,7 @@ struct RenderSettings {
 /// Samples a pixel cut into passes: as near to 16 passes as divides them.
 RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_pixel);
 
-/// Of the passes those i, i + n, …, counted from 1. Throws Error where there is none.
+/// Of the passes those i, i + n, …, counted from 1. Throws Error where some of the n parts had none.
 RenderSettings part_of(RenderSettings settings, std::uint32_t i, std::uint32_t n);
 
 /// The numbers of one sample of a pixel: those of pass p are samples_per_pass from p · samples_per_pass on.

@@ -112,7 +112,7 @@ Reference reference_picture(const SceneMeasure& measure, const std::string& aske
     if (said && said->scene_hash != scene.scene_hash)
         throw Error(fmt::format("{}: is of another scene than {}, or of another version of it: hash {}, not {}",
                                 measure.reference, scene.scene, said->scene_hash, scene.scene_hash));
-    if (said && (!said->is_radiance() || said->longest_path() != longest))
+    if (said && longest_path_of(*said, measure.reference) != longest)
         throw Error(
             fmt::format("{}: was rendered with other lengths of paths than the estimators have", measure.reference));
     if (said) reference.provenance = *said;

@@ -283,6 +283,7 @@ std::string to_string(TileState state) {
         case TileState::too_noisy: return "too noisy";
         case TileState::heavy_tails: return "heavy tails";
         case TileState::no_variance: return "one side shows no variance";
+        case TileState::poorly_known: return "its known value is less certain than delta";
         case TileState::no_pixels: return "no finite pixels";
     }
     return "";

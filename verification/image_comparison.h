@@ -23,7 +23,7 @@ struct ComparisonSettings {
     int tile = 0;  ///< edge in pixels; 0: about 256 tiles, and at least four times the reach of correlations
 };
 
-enum class TileState { same, differs, too_noisy, heavy_tails, no_variance, no_pixels };
+enum class TileState { same, differs, too_noisy, heavy_tails, no_variance, no_pixels, poorly_known };
 std::string to_string(TileState state);
 
 struct TileTest {

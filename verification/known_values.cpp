@@ -113,14 +113,8 @@ bool is_believed(const Picture& picture, const Covered& centre, std::size_t chan
     return found.a != 0;
 }
 
-// Whatever the skewness, an error beyond k standard deviations to one side has probability 1/(1 + k²) at most
-// [Cantelli 1928]: with that much room the interval need not be trusted.
-bool has_room(const MeanDifference& found, double beta) {
-    return found.delta - std::abs(found.difference) >= std::sqrt(1 / beta - 1) * found.standard_error;
-}
-
 TileState state_of(const MeanDifference& found, double beta) {
-    const bool trusted = interval_is_trusted(found, beta) || has_room(found, beta);
+    const bool trusted = interval_is_trusted(found, beta);
     if (found.interval.inside({-found.delta, found.delta}) && trusted) return TileState::same;
     return trusted ? TileState::too_noisy : TileState::heavy_tails;
 }
@@ -148,7 +142,11 @@ Verdict verdict_of(const ValuesCheck& check, const Picture& picture, std::span<c
     // The one that is furthest off, in units of its delta.
     const CheckedValue *wrong = nullptr, *open = nullptr;
     std::size_t wrong_count = 0, open_count = 0;
-    const auto off = [](const CheckedValue& v) { return std::abs(v.found.difference) / v.found.delta; };
+    const auto off = [](const CheckedValue& v) {
+        const double difference = std::abs(v.found.difference);
+        if (v.found.delta > 0) return difference / v.found.delta;
+        return difference > 0 ? std::numeric_limits<double>::infinity() : 0;
+    };
     for (const CheckedValue& value : check.values) {
         const bool refuted = value.state == TileState::differs;
         if (value.state == TileState::same) continue;
@@ -197,9 +195,10 @@ ValuesCheck check(const Picture& picture, std::span<const KnownValue> known, con
                                              .rounding = picture.rounding,
                                              .epsilon = delta + known[i].error,
                                              .beta = settings.beta,
-                                             .delta = delta - known[i].error});
-                value.state = is_believed(picture, centre, c, value.found) ? state_of(value.found, settings.beta)
-                                                                           : TileState::no_variance;
+                                             .delta = std::max(0.0, delta - known[i].error)});
+                value.state = !is_believed(picture, centre, c, value.found) ? TileState::no_variance
+                              : known[i].error > delta                      ? TileState::poorly_known
+                                                                            : state_of(value.found, settings.beta);
             }
             check.values.push_back(value);
         }
