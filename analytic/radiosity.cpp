@@ -109,6 +109,8 @@ private:
 }  // namespace
 
 Radiosity::Radiosity(std::vector<RadiosityPlate> plates, int n, int reflections) : plates_(std::move(plates)) {
+    if (reflections < 1 && reflections != -1)
+        throw Error(fmt::format("{} reflections; accepted are 1 and more, and -1 for all", reflections));
     const Rule<double> rule = gauss_legendre<double>(n);
     nodes_ = rule.node;
     weights_ = rule.weight;
@@ -116,12 +118,17 @@ Radiosity::Radiosity(std::vector<RadiosityPlate> plates, int n, int reflections)
     for (std::size_t i = 0; i < plates_.size(); ++i) {
         if (!(plates_[i].albedo >= 0 && plates_[i].albedo < 1))
             throw Error(fmt::format("plate {}: albedo {}; accepted are 0 to below 1", i, plates_[i].albedo));
+        if (!std::isfinite(plates_[i].emission))
+            throw Error(fmt::format("plate {}: emission {}; accepted are finite numbers", i, plates_[i].emission));
         for (const double s : nodes_)
             for (const double t : nodes_) rows.push_back(gathering(i, s, t));
     }
     const std::size_t per_plate = nodes_.size() * nodes_.size();
     for (std::size_t i = 0; i < rows.size(); ++i) radiance_.push_back(plates_[i / per_plate].emission);
-    for (bool changes = true; changes && reflections != 1; --reflections) {
+    constexpr int most = 10'000;
+    bool changes = true;
+    for (int done = 1; changes && done != reflections; ++done) {
+        if (done == most) throw Error(fmt::format("radiosity: {} reflections do not end it; lower the albedos", most));
         std::vector<double> next;
         for (std::size_t i = 0; i < rows.size(); ++i) next.push_back(leaving(i / per_plate, rows[i]));
         const auto settled = [](double a, double b) { return std::abs(a - b) <= 1e-14 * std::abs(a); };

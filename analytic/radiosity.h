@@ -25,7 +25,8 @@ struct RadiosityPlate {
 class Radiosity {
 public:
     /// Of light that is reflected at most so often on its way to the eye, at least once; -1: as often as changes a
-    /// double. Throws Error for an albedo that is not in [0, 1): light would never end.
+    /// double. Throws Error for another number, for an albedo that is not in [0, 1): light would never end, for an
+    /// emission that is not finite, and where 10,000 reflections still change doubles.
     Radiosity(std::vector<RadiosityPlate> plates, int n, int reflections = -1);
 
     /// The radiance that leaves plate.point(s, t), in every direction.

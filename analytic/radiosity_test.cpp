@@ -73,6 +73,18 @@ TEST(Radiosity, RefusesWhatNeverEnds) {
     auto plates = two_plates();
     plates[1].albedo = 1;
     EXPECT_THROW(Radiosity(plates, 4), Error);
+    plates[1].albedo = std::nan("");
+    EXPECT_THROW(Radiosity(plates, 4), Error);
+    std::array<double, 6> nearly_white{};
+    nearly_white.fill(1 - 1e-9);
+    EXPECT_THROW(Radiosity(cube(nearly_white, lit_from_above), 2), Error);
+}
+
+TEST(Radiosity, RefusesWhatItCannotMean) {
+    auto plates = two_plates();
+    for (const int reflections : {0, -2}) EXPECT_THROW(Radiosity(plates, 2, reflections), Error) << reflections;
+    plates[1].emission = HUGE_VAL;
+    EXPECT_THROW(Radiosity(plates, 2), Error);
 }
 
 }  // namespace

@@ -146,7 +146,9 @@ bool no_caustics_of_points(Transporter transporter, const PathClass& path) {
 
 void add_transport_class_claims(Catalogue& catalogue) {
     catalogue.add({.id = "render/path-classes/predicate",
-                   .statement = "`path`, `light` and `bdpt` make the classes of paths that the predicate says.",
+                   .statement =
+                       "`path`, `light` and `bdpt` make the classes of paths that the predicate says, of those "
+                       "in 0.1 % of paths; the search misses one that is made with a risk of about e^-60.",
                    .source = "ours, integrators/path_classes.h",
                    .kind = Kind::exact,
                    .check = [](const Run& run) { return classes_are(predicted, run); },

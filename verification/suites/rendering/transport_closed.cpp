@@ -113,15 +113,6 @@ void add_lengths(Catalogue& catalogue, const std::string& name, const std::strin
     catalogue.add(std::move(claim));
 }
 
-StrategyWeight of_wrong_vertex() {
-    return [](const PathChain& chain, int t) {
-        PathChain other = chain;
-        const auto i = static_cast<std::size_t>(t);
-        if (i + 1 < other.from_camera.size()) other.from_camera[i] = chain.from_camera[i + 1];
-        return strategy_weight(other, t);
-    };
-}
-
 // A light's path lands on a pixel of the film once in five times; one from the camera always meets light.
 constexpr Precision coarse{0.05, 0.005}, fine{0.005, 0.001}, exact{0.005, 0.001, true};
 
@@ -164,7 +155,7 @@ void add_bdpt(Catalogue& catalogue) {
              bdpt.rules.falloff = [](const SubpathVertex& x, const SubpathVertex& y) { return 1 / falloff(x, y); };
          })},
         {"wrong-vertex", "The weight takes the density of the next vertex in place of that of the connected one.",
-         made<Bdpt>([](Bdpt& bdpt) { bdpt.weight = of_wrong_vertex(); })},
+         made<Bdpt>([](Bdpt& bdpt) { bdpt.weight = weight_of_wrong_vertex; })},
         {"strategy-left-out", "Strategy (2, 2) is left out.", made<Bdpt>([](Bdpt& bdpt) {
              bdpt.weight = [](const PathChain& chain, int t) {
                  return t == 2 && chain.edges() == 3 ? 0 : strategy_weight(chain, t);

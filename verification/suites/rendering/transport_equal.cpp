@@ -119,11 +119,17 @@ std::function<void(Bdpt&)> with_falloff(Falloff other) {
     return [other](Bdpt& bdpt) { bdpt.rules.falloff = other; };
 }
 
-double mirrors_ignored(const PathChain& chain, int t) {
-    PathChain other = chain;
-    std::ranges::fill(other.discrete, char{0});
-    return strategy_weight(other, t);
-}
+// Light that the box's film has, but in the wrong place: its first quarter takes it from the third.
+struct LightMoved final : PathEstimator {
+    Made estimator;
+    explicit LightMoved(Made e) : estimator(std::move(e)) {}
+    void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
+               PathRecord& record) const override {
+        estimator->trace(scene, region, samples, record);
+        for (Splat& splat : record.splats)
+            if (splat.film[0] < 16) splat.value *= splat.film[1] < 16 ? 1.25 : 1 - 0.25 * 0.119 / 0.144;
+    }
+};
 
 template <class E>
 Made correct(int longest) {
@@ -144,7 +150,10 @@ void add_box(Catalogue& catalogue) {
     const Made path = correct<PathTracer>(4), light = correct<LightTracer>(4), bdpt = correct<Bdpt>(4);
     add(catalogue, box, "path-is-light", "`path` and `light` agree on", same_picture, path, light,
         {{"dim", "Light paths carry 5 % less.", std::make_shared<Scaled>(light, 0.95)}});
-    add(catalogue, box, "path-is-bdpt", "`path` and `bdpt` agree on", same_picture, path, bdpt, {left_out(4)});
+    add(catalogue, box, "path-is-bdpt", "`path` and `bdpt` agree on", same_picture, path, bdpt,
+        {left_out(4),
+         {"light-moved", "A quarter of the film takes a fifth of another's light; the film's mean stays.",
+          std::make_shared<LightMoved>(bdpt)}});
     add(catalogue, box, "lengths-agree", "At each length, `path` and `bdpt` agree on", same_lengths, path, bdpt,
         {left_out(4)});
 }
@@ -166,7 +175,7 @@ void add_caustic(Catalogue& catalogue) {
           made<LightTracer>(5, [](LightTracer& tracer) { tracer.carries = Transport::radiance; })}});
     add(catalogue, caustic, "path-is-bdpt", "`path` and `bdpt` agree on", same_picture, path, bdpt,
         {{"mirror-connected", "Weights count connections to mirrors as if they could be made.",
-          made<Bdpt>(5, [](Bdpt& other) { other.weight = mirrors_ignored; })},
+          made<Bdpt>(5, [](Bdpt& other) { other.weight = weight_with_mirrors_connected; })},
          {"eta-squared-on-both-sides", "Refraction compresses the light's subpath too.",
           made<Bdpt>(5, [](Bdpt& other) { other.rules.from_light = Transport::radiance; })},
          {"eta-squared-on-neither-side", "Refraction does not compress the sensor's subpath.",

@@ -102,6 +102,11 @@ Plates with_squared_albedo(Plates plates) {
     return plates;
 }
 
+Plates with_brighter_walls(Plates plates) {
+    for (RadiosityPlate& plate : plates) plate.albedo *= 1.01;
+    return plates;
+}
+
 void add(Catalogue& catalogue, const Subject& subject) {
     const auto check = [=](const Plates& rendered, const PathLimits& limits) {
         return [=](const Run& run) { return is_radiosity(subject, rendered, limits, run); };
@@ -113,7 +118,9 @@ void add(Catalogue& catalogue, const Subject& subject) {
                    .check = check(subject.plates, {}),
                    .mutants = {{"ends-early", "Paths end behind 3 edges.", check(subject.plates, {.max_edges = 3})},
                                {"albedo-squared", "What one plate reflects is dimmed by its albedo twice.",
-                                check(with_squared_albedo(subject.plates), {})}}});
+                                check(with_squared_albedo(subject.plates), {})},
+                               {"brighter-walls", "Every plate reflects 1 % more.",
+                                check(with_brighter_walls(subject.plates), {})}}});
 }
 
 }  // namespace

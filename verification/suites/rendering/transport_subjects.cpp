@@ -29,6 +29,18 @@ FilmRegion whole_film(const Scene& scene) {
     return {0, 0, scene.sensor().film().width, scene.sensor().film().height};
 }
 
+double weight_of_wrong_vertex(const PathChain& chain, int t) {
+    PathChain other = chain;
+    const auto i = static_cast<std::size_t>(t);
+    if (i + 1 < other.from_camera.size()) other.from_camera[i] = chain.from_camera[i + 1];
+    return strategy_weight(other, t);
+}
+double weight_with_mirrors_connected(const PathChain& chain, int t) {
+    PathChain other = chain;
+    std::ranges::fill(other.discrete, char{0});
+    return strategy_weight(other, t);
+}
+
 namespace {
 
 description::MaterialId diffuse(description::Scene& scene, double albedo) {

@@ -22,6 +22,11 @@ struct RegionMean {
 };
 FilmRegion whole_film(const Scene& scene);
 
+/// Weights that are wrong: by the density of the next vertex in place of the connected one's; by connections to mirrors
+/// that count as if they could be made.
+double weight_of_wrong_vertex(const PathChain& chain, int t);
+double weight_with_mirrors_connected(const PathChain& chain, int t);
+
 /// Inside of a diffuse sphere of radius 2 and albedo ½ that emits ½, or is lit by a point of intensity 4π at its
 /// centre: paths of k edges bring 2^-k, or 2^(1-k) without those of one edge. The camera is off the centre.
 const Scene& glowing_sphere();
