@@ -75,6 +75,17 @@ TEST_F(ExplainCommand, ReadsWellAndTheSameTwice) {
     EXPECT_THAT(light.out, AllOf(HasSubstr("light 0"), HasSubstr("pdf per area")));
 }
 
+TEST_F(ExplainCommand, FollowsThePassesOfTheRender) {
+    const std::string call = "explain point_light 3 4 5 --integrator path --sampler sobol --seed 7 ";
+    EXPECT_EQ(plumb(call + "--spp 128 --replicates 32 --json a.json").exit_code, 0);
+    EXPECT_EQ(plumb(call + "--spp 64 --json b.json").exit_code, 0);  // passes of 4 both
+    EXPECT_EQ(plumb(call + "--spp 128 --json c.json").exit_code, 0);
+    const auto film = [&](const std::string& file) { return Json::parse(read(file))["film"]; };
+    EXPECT_EQ(film("a.json"), film("b.json"));
+    EXPECT_NE(film("a.json"), film("c.json"));
+    EXPECT_THAT(complaint(call + "--spp 64 --replicates 3"), HasSubstr("64 samples a pixel in 3 replicates"));
+}
+
 TEST_F(ExplainCommand, NamesWhatIsWrong) {
     EXPECT_THAT(complaint("explain cornell_box 256 0 0"), HasSubstr("pixel 256,0: accepted are x from 0 to 255"));
     EXPECT_THAT(complaint("explain cornell_box 0 -- -1 0"), HasSubstr("pixel 0,-1"));

@@ -117,6 +117,9 @@ void add_explain(CLI::App& app, ExplainOptions& options) {
     verb->add_option("x", options.x, "the pixel's column, from the left and 0")->required();
     verb->add_option("y", options.y, "its row, from the top")->required();
     verb->add_option("sample", options.sample, "which of its samples, from 0 to spp - 1")->required();
+    verb->add_option("--replicates", options.replicates,
+                     "passes of the render, where --spp did not say them: spp and replicates of the image's metadata")
+        ->check(CLI::Range(1u, 1u << 24));
     add_seed(verb, options.seed);
     verb->add_option("--json", options.json, "write all of it as JSON to this file, every number to the bit");
     verb->footer(

@@ -128,6 +128,7 @@ struct ReferenceOptions : RenderOptions {
 struct ExplainOptions : PathOptions {
     int x = 0, y = 0;  ///< of the pixel
     std::uint32_t sample = 0;
+    std::uint32_t replicates = 0;  ///< passes of the render; 0: as `render --spp` cuts them
     std::string json;
 };
 

@@ -4,11 +4,28 @@
 #include "cli/path_options.h"
 #include "core/error.h"
 #include "integrators/integrators.h"
+#include "integrators/path_classes.h"
 #include "integrators/reference_cache.h"
 #include "integrators/render_until.h"
 #include "integrators/scene_identity.h"
 
 namespace plumb {
+
+namespace {
+
+// What the picture will lack is not noise, and no error tells it.
+void print_what_is_left_out(const ReferenceOptions& options) {
+    if (options.integrator != "path" && options.integrator != "light") return;
+    const Transporter by = options.integrator == "path" ? Transporter::path : Transporter::light;
+    constexpr int most_edges = 4;
+    std::vector<std::string> classes;
+    for (const PathClass& path : left_out(by, load_scene(options), most_edges)) classes.push_back(to_string(path));
+    if (!classes.empty())
+        fmt::print("`{}` leaves out light that `bdpt` finds in this scene, such as {}\n", options.integrator,
+                   classes.front());
+}
+
+}  // namespace
 
 int reference(const ReferenceOptions& options) {
     Provenance wanted = identity_of(options.scene, {options.definitions, options.lenient});
@@ -31,6 +48,7 @@ int reference(const ReferenceOptions& options) {
         }
         fmt::print("{}; rendered anew\n", says);
     }
+    print_what_is_left_out(options);
     RenderOptions to_file = options;
     to_file.out = file.string();
     return render(to_file);

@@ -79,4 +79,13 @@ bool can_make(Transporter transporter, const PathClass& path) {
     return false;
 }
 
+std::vector<PathClass> left_out(Transporter transporter, const Scene& scene, int most_edges) {
+    std::vector<PathClass> classes;
+    for (int edges = 1; edges <= most_edges; ++edges)
+        std::ranges::copy_if(path_classes(scene, edges), std::back_inserter(classes), [&](const PathClass& path) {
+            return can_make(Transporter::bdpt, path) && !can_make(transporter, path);
+        });
+    return classes;
+}
+
 }  // namespace plumb

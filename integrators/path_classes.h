@@ -30,5 +30,7 @@ enum class Transporter { path, light, bdpt };
 /// Whether it makes paths of this class. `path` meets a light, or samples one from a vertex that is no mirror; `light`
 /// connects such a vertex to the lens, and sees lights directly; `bdpt` does either, or connects two such vertices.
 bool can_make(Transporter transporter, const PathClass& path);
+/// Classes of at most so many edges that `bdpt` makes in the scene, and this one does not.
+std::vector<PathClass> left_out(Transporter transporter, const Scene& scene, int most_edges);
 
 }  // namespace plumb

@@ -30,17 +30,13 @@ std::optional<Reference> find_reference(const fs::path& cache, const Provenance&
 
 Reference require_reference(const fs::path& cache, const Provenance& scene, std::optional<int> longest_path,
                             const std::string& asked) {
-    std::optional<Reference> best;
-    for (const char* integrator : {"path", "bdpt", "direct"}) {
+    for (const char* integrator : {"bdpt", "path", "direct"}) {  // who makes most kinds of paths first
         Provenance wanted = scene;
         wanted.integrator = integrator;
         wanted.limits = {.max_edges = wanted.longest_path() ? -1 : longest_path.value_or(-1)};
         if (wanted.longest_path() != longest_path) continue;
-        std::optional<Reference> found = find_reference(cache, wanted);
-        if (found && (!best || found->provenance.error.relative < best->provenance.error.relative))
-            best = std::move(found);
+        if (auto found = find_reference(cache, wanted)) return std::move(*found);
     }
-    if (best) return std::move(*best);
     const std::string depth = longest_path ? fmt::format(" --max-depth {}", *longest_path) : "";
     throw Error(fmt::format("there is no reference of {} in {}; make one by: plumb reference {} --error 1%{}", asked,
                             cache.string(), asked, depth));
