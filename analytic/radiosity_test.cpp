@@ -1,4 +1,4 @@
-#include "analytic/radiosity.h"
+#include "analytic/radiosity_cases.h"
 
 #include <gtest/gtest.h>
 
@@ -10,21 +10,8 @@
 namespace plumb {
 namespace {
 
-/// The unit cube from inside: floor, ceiling, then the walls.
-std::vector<RadiosityPlate> cube(const std::array<double, 6>& albedos, const std::array<double, 6>& emissions) {
-    std::vector<RadiosityPlate> faces{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0, 0}, {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, 0, 0},
-                                      {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0, 0}, {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}, 0, 0},
-                                      {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 0}, {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, 0, 0}};
-    for (std::size_t i = 0; i < 6; ++i) {
-        faces[i].albedo = albedos[i];
-        faces[i].emission = emissions[i];
-    }
-    return faces;
-}
-constexpr std::array<double, 6> uneven{0.6, 0.3, 0.7, 0.4, 0.5, 0.5}, lit_from_above{0, 1, 0, 0, 0, 0};
-
 std::vector<RadiosityPlate> two_plates() {
-    return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0, 0.8}, {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, 1, 0.5}};
+    return facing_plates(1, 0.8, 0.5);
 }
 
 TEST(Radiosity, InAClosedBoxThatShinesEverywhereIsAGeometricSeries) {
@@ -52,10 +39,10 @@ TEST(Radiosity, OfOneReflectionIsIrradiance) {
 // L_e dA.
 TEST(Radiosity, InAClosedBoxIsAbsorbedAsItIsEmitted) {
     for (const int n : {4, 8}) {
-        const Radiosity radiosity(cube(uneven, lit_from_above), n);
+        const Radiosity radiosity(cube(uneven_albedos, lit_from_above), n);
         double absorbed = 0;
         for (std::size_t i = 0; i < 6; ++i)
-            absorbed += (1 / uneven[i] - 1) * (radiosity.integral(i) - lit_from_above[i]);
+            absorbed += (1 / uneven_albedos[i] - 1) * (radiosity.integral(i) - lit_from_above[i]);
         EXPECT_NEAR(absorbed, 1, n == 4 ? 5e-4 : 6e-5) << n;
     }
 }
@@ -63,10 +50,18 @@ TEST(Radiosity, InAClosedBoxIsAbsorbedAsItIsEmitted) {
 TEST(Radiosity, ConvergesInTheDegree) {
     const auto between_plates = [](int n) { return Radiosity(two_plates(), n).radiance(0, 0.2, 0.3); };
     EXPECT_NEAR(between_plates(6), between_plates(10), 1e-9);
-    const auto in_cube = [](int n) { return Radiosity(cube(uneven, lit_from_above), n); };
+    const auto in_cube = [](int n) { return Radiosity(cube(uneven_albedos, lit_from_above), n); };
     const Radiosity coarse = in_cube(6), fine = in_cube(8);
     EXPECT_NEAR(coarse.radiance(0, 0.5, 0.5), fine.radiance(0, 0.5, 0.5), 2e-6);
     EXPECT_NEAR(coarse.radiance(2, 0.5, 0.5), fine.radiance(2, 0.5, 0.5), 5e-6);
+}
+
+TEST(Radiosity, OfTheCasesIsKnownWithinTheirErrors) {
+    for (const RadiosityCase& one : radiosity_cases()) {
+        const Radiosity coarse(one.plates, 8), fine(one.plates, 12);
+        for (const auto& [plate, s, t] : one.points)
+            EXPECT_NEAR(coarse.radiance(plate, s, t) / fine.radiance(plate, s, t), 1, one.error) << one.id;
+    }
 }
 
 TEST(Radiosity, RefusesWhatNeverEnds) {

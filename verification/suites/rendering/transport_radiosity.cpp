@@ -1,7 +1,10 @@
 // Path tracing against radiosity: light of all orders between two plates and within a closed box, by an integral
 // equation that is solved without chance.
 
-#include "analytic/radiosity.h"
+#include <map>
+#include <mutex>
+
+#include "analytic/radiosity_cases.h"
 #include "integrators/path.h"
 #include "verification/mean.h"
 #include "verification/suites/rendering/direct_subjects.h"
@@ -12,59 +15,14 @@ namespace {
 
 using Plates = std::vector<RadiosityPlate>;
 
-/// A point of a plate that a camera looks at.
-struct Seen {
-    std::size_t plate;
-    double s, t;
-};
-
-struct Subject {
-    std::string id, title;
-    Plates plates;
-    const Radiosity& (*solution)();
-    std::vector<Seen> seen;
-    double error;  ///< of the solution, relative: what a larger n changes (analytic/radiosity_test.cpp)
-};
-
-template <Plates (*plates)()>
-const Radiosity& solved() {
-    static const Radiosity radiosity(plates(), 8);
-    return radiosity;
+const Radiosity& solution(const RadiosityCase& subject) {
+    static std::map<std::string, Radiosity> solved;  // some take a second
+    static std::mutex mutex;
+    const std::lock_guard lock(mutex);
+    return solved.try_emplace(subject.id, subject.plates, 8).first->second;
 }
 
-/// Unit squares at half their side's distance, the upper of which shines.
-Plates two_plates() {
-    return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0, 0.8}, {{0, 0, 0.5}, {0, 1, 0}, {1, 0, 0}, 1, 0.6}};
-}
-
-/// A cube from inside, whose ceiling shines: floor, ceiling, walls.
-Plates box(const std::array<double, 6>& albedos) {
-    Plates faces{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0, 0}, {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, 1, 0},
-                 {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0, 0}, {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}, 0, 0},
-                 {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 0}, {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, 0, 0}};
-    for (std::size_t i = 0; i < faces.size(); ++i) faces[i].albedo = albedos[i];
-    return faces;
-}
-Plates even_box() {
-    return box({0.5, 0.5, 0.5, 0.5, 0.5, 0.5});
-}
-Plates uneven_box() {
-    return box({0.6, 0.3, 0.7, 0.4, 0.5, 0.5});
-}
-
-std::vector<Subject> subjects() {
-    return {
-        {"two-plates", "Between two plates", two_plates(), solved<two_plates>, {{0, 0.1, 0.3}, {1, 0.2, 0.4}}, 1e-7},
-        {"closed-box", "In a closed box of albedo ½", even_box(), solved<even_box>, {{2, 0.6, 0.4}}, 2e-5},
-        {"uneven-box",
-         "In a closed box of different albedos",
-         uneven_box(),
-         solved<uneven_box>,
-         {{0, 0.3, 0.4}, {3, 0.5, 0.5}},
-         2e-5}};
-}
-
-Scene scene_of(const Plates& plates, const Seen& seen) {
+Scene scene_of(const Plates& plates, const PlatePoint& seen) {
     description::Scene scene;
     for (const RadiosityPlate& plate : plates)
         add_polygon(scene, {plate.point(0, 0), plate.point(1, 0), plate.point(1, 1), plate.point(0, 1)},
@@ -77,13 +35,13 @@ Scene scene_of(const Plates& plates, const Seen& seen) {
 }
 
 /// The points of `rendered`, against the radiosity of the subject.
-Verdict is_radiosity(const Subject& subject, const Plates& rendered, const PathLimits& limits, const Run& run) {
+Verdict is_radiosity(const RadiosityCase& subject, const Plates& rendered, const PathLimits& limits, const Run& run) {
     const PathTracer tracer(limits);
     std::vector<Verdict> parts;
-    for (const Seen& seen : subject.seen) {
+    for (const PlatePoint& seen : subject.points) {
         const Scene scene = scene_of(rendered, seen);
         const Measurement measurement{scene, tracer, Point<2>{0.5, 0.5}, {}, 16, last_vertex};
-        const double truth = subject.solution().radiance(seen.plate, seen.s, seen.t);
+        const double truth = solution(subject).radiance(seen.plate, seen.s, seen.t);
         // Floats of the camera's ray move the point by 1e-7, and with it the radiance.
         parts.push_back(
             mean_is([&](RandomStream& random) { return luminance(measurement.draw(random)); },
@@ -91,7 +49,7 @@ Verdict is_radiosity(const Subject& subject, const Plates& rendered, const PathL
                      .delta = run.pick(5e-3, 1e-3) * truth,
                      .epsilon = (subject.error + 1e-6) * truth,
                      .cap = run.pick(std::uint64_t{1} << 19, std::uint64_t{1} << 23)},
-                    run.part(fmt::format("point {}", parts.size()), 1 / static_cast<double>(subject.seen.size()))));
+                    run.part(fmt::format("point {}", parts.size()), 1 / static_cast<double>(subject.points.size()))));
         if (parts.back().outcome == Outcome::refuted) break;  // so is the whole
     }
     return all_of(std::move(parts));
@@ -107,7 +65,7 @@ Plates with_brighter_walls(Plates plates) {
     return plates;
 }
 
-void add(Catalogue& catalogue, const Subject& subject) {
+void add(Catalogue& catalogue, const RadiosityCase& subject) {
     const auto check = [=](const Plates& rendered, const PathLimits& limits) {
         return [=](const Run& run) { return is_radiosity(subject, rendered, limits, run); };
     };
@@ -126,7 +84,7 @@ void add(Catalogue& catalogue, const Subject& subject) {
 }  // namespace
 
 void add_transport_radiosity_claims(Catalogue& catalogue) {
-    for (const Subject& subject : subjects()) add(catalogue, subject);
+    for (const RadiosityCase& subject : radiosity_cases()) add(catalogue, subject);
 }
 
 }  // namespace plumb
