@@ -1,0 +1,35 @@
+#include "scenes/scene.h"
+
+#include <gtest/gtest.h>
+
+#include "scenes/mitsuba_xml.h"
+#include "scenes/shipped.h"
+#include "scenes/warps.h"
+
+namespace plumb {
+namespace {
+
+// A ray starts a rounding error beside its vertex. Seen from the vertex itself, some rays that meet a light at its rim
+// miss it; a density of 0 would give them the whole weight.
+TEST(Scene, KnowsADensityForEveryLightThatARayMeets) {
+    const Scene scene(load_mitsuba(scene_file("sphere_light"), {}));
+    RayLog log;
+    const Vec3 point{0.3, 0, -0.985}, to_centre = Vec3{0, 1, 0} - point;
+    const Hit floor = scene.intersect(rounded_ray(point + Vec3{0, 1, -1}, {0, -1, 1}), 0.5, log).value();
+    const Frame frame(normalize(to_centre));
+    const double rim = std::asin(0.5 / length(to_centre));
+    int met = 0;
+    for (int i = 0; i < 40'000; ++i) {
+        const double turn = 2 * pi * i / 40'000, off_axis = rim + 1e-8 * (i % 199 - 99);
+        const Vec3 direction = frame.to_world(
+            {std::sin(off_axis) * std::cos(turn), std::sin(off_axis) * std::sin(turn), std::cos(off_axis)});
+        const auto hit = scene.intersect(leave(floor.point, direction), 0.5, log);
+        if (!hit || is_black(scene.emitted(*hit, -direction))) continue;
+        ++met;
+        ASSERT_GT(scene.light_pdf(*hit, floor.point.position, direction), 0) << "ray " << i;
+    }
+    EXPECT_GT(met, 10'000);
+}
+
+}  // namespace
+}  // namespace plumb
