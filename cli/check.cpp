@@ -49,8 +49,7 @@ PathLength length_asked(const CheckOptions& options, const std::vector<Image>& i
 
 // One image that does not tell its error is taken as it is: its noise counts as deviation.
 Picture picture_to_check(const std::vector<Image>& images, const std::vector<std::string>& files) {
-    const auto& channels = images[0].channels;
-    const bool exact = images.size() == 1 && std::ranges::find(channels, "variance.R") == channels.end();
+    const bool exact = images.size() == 1 && !has_variance(images[0], files[0]);
     Picture picture = picture_of(images, files, exact);
     if (picture.channels.size() != 3 || picture.channels[0] != "R")
         throw Error(fmt::format("{}: has channels {}; what is known is R, G and B", files[0],

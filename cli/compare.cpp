@@ -33,9 +33,7 @@ void find_reference(std::vector<std::string>& files_b, const std::string& file_a
     if (!xml && std::ranges::count(shipped_scene_names(), scene) == 0) return;
     const Provenance identity = identity_of(scene, {.lenient = true});
     const std::optional<Provenance> said = provenance_of(a, file_a);
-    if (said && said->scene_hash != identity.scene_hash)
-        throw Error(fmt::format("{}: is of another scene than {}, or of another version of it: hash {}, not {}", file_a,
-                                scene, said->scene_hash, identity.scene_hash));
+    if (said) require_same_scene(*said, identity, file_a);
     const auto longest = said ? longest_path_of(*said, file_a) : std::nullopt;
     files_b.front() = require_reference(cache, identity, longest, scene).file.string();
 }

@@ -26,9 +26,7 @@ ReferencePicture read_reference(const std::string& file) {
     if (file == "auto") throw Error("converge --images: --reference auto is for scenes (--on); give --reference FILE");
     if (file.empty()) throw Error("converge --images: against what? Give --reference FILE");
     ReferencePicture reference{file, read_image(file), {}, false};
-    const std::vector<std::string>& channels = reference.image.channels;
-    reference.variance_known =
-        std::ranges::any_of(channels, [](const std::string& c) { return c.starts_with("variance."); });
+    reference.variance_known = has_variance(reference.image, file);
     reference.picture =
         picture_of(std::vector{reference.image}, std::vector{reference.file}, !reference.variance_known);
     return reference;

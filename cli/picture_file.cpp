@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/file.h"
+#include "core/srgb.h"
 #include "integrators/provenance.h"
 #include "reports/json.h"
 
@@ -15,10 +16,7 @@ Image fit_for(const std::filesystem::path& file, const Image& image) {
     const std::string format = file.extension().string();
     if (format == ".exr" || format == ".tif" || format == ".tiff") return image;
     const bool linear = format == ".hdr" || format == ".pfm";
-    const auto srgb = [](float x) {  // [IEC 61966-2-1]
-        const float v = std::clamp(x, 0.f, 1.f);
-        return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
-    };
+    const auto srgb = [](float x) { return srgb_from_linear(std::clamp(x, 0.f, 1.f)); };
     Image colours{image.width, image.height, {"R", "G", "B"}, {}, image.metadata};
     for (std::size_t i = 0; i < image.values.size(); i += image.channels.size())
         for (std::size_t c = 0; c < 3; ++c)

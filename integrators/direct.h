@@ -20,7 +20,8 @@ struct Direct final : PathEstimator {
     NextEvent next_event = default_next_event();
 
     Direct() = default;
-    explicit Direct(LightTechniques techniques) : used(techniques) {}
+    explicit Direct(LightTechniques techniques, const NextEvent& parts = default_next_event())
+        : used(techniques), next_event(parts) {}
     void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
                PathRecord& record) const override;
 };

@@ -64,6 +64,12 @@ std::optional<int> longest_path_of(const Provenance& provenance, const std::stri
     return provenance.longest_path();
 }
 
+void require_same_scene(const Provenance& said, const Provenance& scene, const std::string& file) {
+    if (said.scene_hash != scene.scene_hash)
+        throw Error(fmt::format("{}: is of another scene than {}, or of another version of it: hash {}, not {}", file,
+                                scene.scene, said.scene_hash, scene.scene_hash));
+}
+
 std::map<std::string, std::string> metadata_of(const Provenance& p) {
     std::map<std::string, std::string> metadata{
         {"plumb:scene", p.scene},

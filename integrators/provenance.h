@@ -31,6 +31,9 @@ struct Provenance {
 /// The longest path that the file's picture counts. Throws Error naming it where it is not all light up to some length.
 std::optional<int> longest_path_of(const Provenance& provenance, const std::string& file);
 
+/// Throws Error naming the file where its picture is not of this scene, to the last byte of its files.
+void require_same_scene(const Provenance& said, const Provenance& scene, const std::string& file);
+
 /// All but the error, which is known when the film is.
 std::map<std::string, std::string> metadata_of(const Provenance& provenance);
 std::map<std::string, std::string> metadata_of(const FilmError& error);

@@ -46,7 +46,8 @@ onmessage = (event) => {{
 /// Opens the page in a headless Chromium at this width, with everything tried by a script of page/test/.
 inline Browsed browse(const std::string& page, const std::string& tries, int width, const std::string& options = "") {
     const TestFolder folder;
-    const std::string script = read_file(PLUMB_PAGE_FOLDER "/test/" + tries);
+    const std::string script =
+        read_file(PLUMB_PAGE_FOLDER "/test/tools.js") + read_file(PLUMB_PAGE_FOLDER "/test/" + tries);
     write_file(folder / "page.html", page + "<script>" + script + "</script>");
     write_file(folder / "frame.html", fmt::format(frame_page, width));
     const std::string command = fmt::format(

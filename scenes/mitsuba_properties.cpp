@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/srgb.h"
 #include "scenes/metals.h"
 #include "scenes/mitsuba_loader.h"
 #include "scenes/tabulated_spectrum.h"
@@ -76,10 +77,7 @@ Spectrum parse_hex(const std::string& text, const Place& place) {
     if (text.size() != 7 || code != std::errc{} || end != text.data() + 7) {
         throw place.error(fmt::format("'{}' where #rrggbb is expected", text));
     }
-    const auto linear = [](unsigned byte) {
-        const double s = byte / 255.0;
-        return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-    };
+    const auto linear = [](unsigned byte) { return linear_from_srgb(byte / 255.0); };
     return Spectrum::rgb(linear(value >> 16), linear(value >> 8 & 255), linear(value & 255));
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/image.h"
+#include "core/srgb.h"
 
 namespace plumb {
 
@@ -24,10 +25,6 @@ std::pair<std::int64_t, double> texel_before(double coordinate, int size) {
     const double reduced = std::abs(coordinate) < 1e6 ? coordinate : std::remainder(coordinate, 2.0);
     const double x = reduced * size - 0.5, below = std::floor(x);
     return {static_cast<std::int64_t>(below), x - below};
-}
-
-float linear_from_srgb(float s) {
-    return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);  // [IEC 61966-2-1]
 }
 
 }  // namespace

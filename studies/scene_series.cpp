@@ -109,9 +109,7 @@ Reference reference_picture(const SceneMeasure& measure, const std::string& aske
     if (measure.reference == "auto") return require_reference(measure.cache, scene, longest, asked);
     Reference reference{measure.reference, read_image(measure.reference), {}};
     const std::optional<Provenance> said = provenance_of(reference.image, measure.reference);
-    if (said && said->scene_hash != scene.scene_hash)
-        throw Error(fmt::format("{}: is of another scene than {}, or of another version of it: hash {}, not {}",
-                                measure.reference, scene.scene, said->scene_hash, scene.scene_hash));
+    if (said) require_same_scene(*said, scene, measure.reference);
     if (said && longest_path_of(*said, measure.reference) != longest)
         throw Error(
             fmt::format("{}: was rendered with other lengths of paths than the estimators have", measure.reference));
@@ -124,7 +122,7 @@ Truth truth_of(const Reference& reference, const FilmRegion& region, FilmSize fi
     if (reference.image.width != film.width || reference.image.height != film.height)
         throw Error(fmt::format("{}: is {}x{} pixels, the film {}x{}", file, reference.image.width,
                                 reference.image.height, film.width, film.height));
-    const bool exact = std::ranges::find(reference.image.channels, "variance.R") == reference.image.channels.end();
+    const bool exact = !has_variance(reference.image, file);
     const Picture picture = picture_of(std::vector{reference.image}, std::vector{file}, exact);
     if (picture.channels.size() != 3 || picture.channels[0] != "R")
         throw Error(fmt::format("{}: has no channels R, G and B", file));

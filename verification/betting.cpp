@@ -82,15 +82,15 @@ double MeanTest::lambda(const Bet& bet, double variance) const {
 
 // A value farther out than all before it may ruin a bet without bounds. What the bet had won while it could not know
 // better is then forfeited: else hundreds of values without a spike win more than any number of spikes takes back.
-void MeanTest::play(std::span<const double> block) {
+void MeanTest::play(std::span<const double> block, const Interval& values) {
     const double variance = variance_guess();
-    const auto [least, most] = std::ranges::minmax(block);
     const auto settle = [&](Bet& bet) {
         const double slope = std::isfinite(bet.m) ? lambda(bet, variance) : 0;
         if (slope == 0) return;
         bet.log_wealth += std::log(growth(slope, bet.m, block));
-        const bool ruined = 1 + slope * ((slope > 0 ? least : most) - bet.m) < floor_of_factors;
-        if (ruined && !is_exact(bet)) bet.log_wealth = std::min(bet.log_wealth, std::log(floor_of_factors));
+        if (is_exact(bet)) return;
+        const bool ruined = 1 + slope * ((slope > 0 ? values.low : values.high) - bet.m) < floor_of_factors;
+        if (ruined) bet.log_wealth = std::min(bet.log_wealth, std::log(floor_of_factors));
     };
     for (Bet& bet : against_claim_) settle(bet);
     settle(against_large_);
@@ -110,12 +110,14 @@ void MeanTest::record_maxima() {
 }
 
 MeanTest::Decision MeanTest::add(std::span<const double> block) {
-    play(block);
-    moments_.merge(Moments::of(block));
+    Interval values;
     if (!exact()) {
         const auto [least, most] = std::ranges::minmax(block);
-        seen_ = {std::min(seen_.low, least), std::max(seen_.high, most)};
+        values = {least, most};
     }
+    play(block, values);
+    moments_.merge(Moments::of(block));
+    if (!exact()) seen_ = {std::min(seen_.low, values.low), std::max(seen_.high, values.high)};
     record_maxima();
     if (moments_.count() < setting_.min_samples) return Decision::none;
     if (max_log_claim_ >= -std::log(setting_.alpha)) return Decision::refuted;

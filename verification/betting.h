@@ -68,7 +68,7 @@ private:
     [[nodiscard]] bool excludes_small() const;
     [[nodiscard]] double log_evidence(bool exact_bets_only) const;
     [[nodiscard]] double variance_guess() const;
-    void play(std::span<const double> block);
+    void play(std::span<const double> block, const Interval& values);
     void record_maxima();
     [[nodiscard]] double lambda(const Bet& bet, double variance) const;
 

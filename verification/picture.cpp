@@ -39,7 +39,7 @@ std::vector<std::size_t> indices(const Image& image, const std::string& name,
     return found;
 }
 
-bool has_variance(const Image& image, const std::vector<std::string>& channels) {
+bool has_variance_of(const Image& image, const std::vector<std::string>& channels) {
     return std::ranges::all_of(channels,
                                [&](const std::string& c) { return channel_index(image, "variance." + c).has_value(); });
 }
@@ -147,7 +147,7 @@ Picture picture_of(std::span<const Image> renders, std::span<const std::string> 
                             "EXR",
                             names[i]));
         sources.push_back(indices(renders[i], names[i], picture.channels));
-        layers = layers && has_variance(renders[i], picture.channels);
+        layers = layers && has_variance_of(renders[i], picture.channels);
         picture.rounding = std::max(picture.rounding, rounding_of(renders[i]));
     }
     picture.mean.assign(
@@ -168,6 +168,10 @@ Picture picture_of(std::span<const Image> renders, std::span<const std::string> 
                         names[0], picture.channels[0]));
     exclude_bad(picture);
     return picture;
+}
+
+bool has_variance(const Image& image, const std::string& name) {
+    return has_variance_of(image, colours_of(image, name));
 }
 
 void require_independent(std::span<const Image> images, std::span<const std::string> names) {

@@ -1,14 +1,4 @@
 // Run inside the page by comparison_test.cpp: clicks every control, reads pixels back, and tells the page around it.
-const saw = {};
-addEventListener("error", (event) => {
-  saw.error = event.message;
-});
-
-const all = (selector) => [...document.querySelectorAll(selector)];
-const frame = () => new Promise(requestAnimationFrame);
-const settled = async () => {
-  for (let i = 0; i < 3; ++i) await frame();
-};
 const canvas = (i = 0) => all(".pane canvas")[i];
 const buttonOf = (text) => all("button").find((b) => b.textContent === text);
 const sliderOf = (label) => document.querySelector(`input[aria-label="${label}"]`);

@@ -1,5 +1,6 @@
 // `plumb compare` on trial: honest renders, spoiled renders, and what it must leave undecided, without a renderer.
 
+#include "core/srgb.h"
 #include "verification/deterministic.h"
 #include "verification/mean.h"
 #include "verification/suites/rendering/compare_subjects.h"
@@ -83,7 +84,8 @@ std::vector<Spoiled> spoiled_by_hand() {
          "One tile 3 % darker.",
          change([](double v, int x, int y) { return v * (x >= 8 && x < 16 && y < 8 ? 0.97 : 1); }),
          {8, 0, 8, 8}},
-        {"srgb-as-linear", "sRGB written as if it were linear.", change([](double v, int, int) { return to_srgb(v); })},
+        {"srgb-as-linear", "sRGB written as if it were linear.",
+         change([](double v, int, int) { return srgb_from_linear(v); })},
         {"eight-bits", "Written in 8 bits and read again: the lamp is cut off.",
          against([](std::uint64_t seed) { return in_bytes(render()(seed)); }), lamp},
         {"blurred", "Blurred over 3x3 pixels.", against([](std::uint64_t seed) { return blurred(render()(seed)); })},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/srgb.h"
 #include "integrators/light.h"
 #include "integrators/path.h"
 #include "integrators/render.h"
@@ -113,9 +114,7 @@ Renderer by(const E& estimator) {
     return std::make_shared<E>(estimator);
 }
 Direct direct_with(const NextEvent& next_event) {
-    Direct direct(LightTechniques::emitters);
-    direct.next_event = next_event;
-    return direct;
+    return Direct(LightTechniques::emitters, next_event);
 }
 Renderer direct() {
     return by(direct_with(default_next_event()));
@@ -167,15 +166,15 @@ std::vector<Spoiled> images_spoiled() {
         return spoil([=](Image image) { return changed(std::move(image), how); });
     };
     constexpr PixelBox horizon{0, 16, 32, 16}, bright_wall{0, 0, 16, 16};
-    return {
-        {"dark-tile",
-         "One tile 3 % darker.",
-         change([](double v, int x, int y) { return x >= 16 && x < 24 && y < 8 ? 0.97 * v : v; }),
-         {16, 0, 8, 8}},
-        {"srgb-as-linear", "sRGB written as if it were linear.", change([](double v, int, int) { return to_srgb(v); })},
-        {"eight-bits", "Written in 8 bits and read again: the wall by the light is cut off.", spoil(in_bytes),
-         bright_wall},
-        {"blurred", "Blurred over 3x3 pixels.", spoil(blurred), horizon}};
+    return {{"dark-tile",
+             "One tile 3 % darker.",
+             change([](double v, int x, int y) { return x >= 16 && x < 24 && y < 8 ? 0.97 * v : v; }),
+             {16, 0, 8, 8}},
+            {"srgb-as-linear", "sRGB written as if it were linear.",
+             change([](double v, int, int) { return srgb_from_linear(v); })},
+            {"eight-bits", "Written in 8 bits and read again: the wall by the light is cut off.", spoil(in_bytes),
+             bright_wall},
+            {"blurred", "Blurred over 3x3 pixels.", spoil(blurred), horizon}};
 }
 
 std::vector<Spoiled> renderers_spoiled() {

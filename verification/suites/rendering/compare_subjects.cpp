@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/srgb.h"
 #include "verification/distributions.h"
 
 namespace plumb {
@@ -11,10 +12,6 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t channels = 6;
-
-double to_linear(double v) {
-    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
 
 Picture picture(const Renders& renders) {
     return picture_of(renders.images, std::vector<std::string>(renders.images.size(), "render"));
@@ -46,15 +43,11 @@ Image with_variance(Image image, double scale) {
     return image;
 }
 
-double to_srgb(double v) {  // [IEC 61966-2-1]
-    return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
-}
-
 Image in_bytes(Image image) {
     for (std::size_t i = 0; i < image.values.size(); ++i)
         if (i % channels < 3)
             image.values[i] = static_cast<float>(
-                to_linear(std::round(255 * to_srgb(std::clamp<double>(image.values[i], 0, 1))) / 255));
+                linear_from_srgb(std::round(255 * srgb_from_linear(std::clamp<double>(image.values[i], 0, 1))) / 255));
     return image;
 }
 

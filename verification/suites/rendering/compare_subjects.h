@@ -18,7 +18,6 @@ Image changed(Image image, const Change& change);
 /// Its layer of variances multiplied.
 Image with_variance(Image image, double scale);
 
-double to_srgb(double linear);
 /// In bytes as sRGB and back; the layer of variances is kept.
 Image in_bytes(Image image);
 /// Means of 3x3 pixels; the layer of variances is kept.

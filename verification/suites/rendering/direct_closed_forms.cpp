@@ -229,10 +229,10 @@ std::vector<Defect> emitter_defects() {
             }
             return light;
         });
-    return {
-        {"cosine-dropped", "The cosine at the receiver is missing.", direct_by(LightTechniques::emitters, no_cosine)},
-        {"area-measure", "The density per area is used per steradian.",
-         direct_by(LightTechniques::emitters, per_area)}};
+    return {{"cosine-dropped", "The cosine at the receiver is missing.",
+             std::make_shared<Direct>(LightTechniques::emitters, no_cosine)},
+            {"area-measure", "The density per area is used per steradian.",
+             std::make_shared<Direct>(LightTechniques::emitters, per_area)}};
 }
 
 std::vector<Defect> bsdf_defects() {
@@ -261,8 +261,13 @@ std::vector<Defect> mis_defects() {
     const NextEvent balance = with_weight([](double p, double q) { return p / (p + q); });
     const NextEvent all = with_weight([](double, double) { return 1.0; });
     return {{"squared-on-one-side", "The power heuristic for emitters, the balance heuristic for BSDFs.",
-             direct_by(LightTechniques::both, default_next_event(), balance)},
-            {"counted-twice", "Both techniques count in full.", direct_by(LightTechniques::both, all)}};
+             std::make_shared<DirectBy>(
+                 [balance](const Scene& scene, const PathVertex& vertex, PrimarySamples& samples, PathRecord& record) {
+                     constexpr auto both = LightTechniques::both;
+                     return light_from_emitters(scene, vertex, 1, both, default_next_event(), samples, record) +
+                            light_from_bsdf(scene, vertex, 1, both, balance, samples, record);
+                 })},
+            {"counted-twice", "Both techniques count in full.", std::make_shared<Direct>(LightTechniques::both, all)}};
 }
 
 std::vector<Defect> defects_of(const Technique& technique) {

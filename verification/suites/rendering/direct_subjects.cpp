@@ -36,19 +36,6 @@ void DirectBy::trace(const Scene& scene, const FilmRegion& region, PrimarySample
     trace_two_edges(scene, region, samples, record, reflected);
 }
 
-std::unique_ptr<PathEstimator> direct_by(LightTechniques used, const NextEvent& for_emitters,
-                                         const NextEvent& for_bsdf) {
-    return std::make_unique<DirectBy>(
-        [=](const Scene& scene, const PathVertex& vertex, PrimarySamples& samples, PathRecord& record) {
-            Spectrum sum;
-            if (used != LightTechniques::bsdf)
-                sum += light_from_emitters(scene, vertex, 1, used, for_emitters, samples, record);
-            if (used != LightTechniques::emitters)
-                sum += light_from_bsdf(scene, vertex, 1, used, for_bsdf, samples, record);
-            return sum;
-        });
-}
-
 void Scaled::trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, PathRecord& record) const {
     estimator->trace(scene, region, samples, record);
     for (Splat& splat : record.splats) splat.value *= factor;

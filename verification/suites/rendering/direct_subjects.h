@@ -38,20 +38,13 @@ struct Measurement {
     [[nodiscard]] Spectrum draw(RandomStream& random) const;
 };
 
-/// Direct illumination, as integrators/direct.cpp, whose reflected light is given.
+/// Direct illumination whose reflected light is given.
 struct DirectBy final : PathEstimator {
-    ReflectedLight reflected;  ///< by parts of the library, or by others in their place
+    ReflectedLight reflected;
     explicit DirectBy(ReflectedLight r) : reflected(std::move(r)) {}
     void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
                PathRecord& record) const override;
 };
-
-/// Both techniques, each with a next event estimation of its own.
-std::unique_ptr<PathEstimator> direct_by(LightTechniques used, const NextEvent& for_emitters,
-                                         const NextEvent& for_bsdf);
-inline std::unique_ptr<PathEstimator> direct_by(LightTechniques used, const NextEvent& next_event) {
-    return direct_by(used, next_event, next_event);
-}
 
 /// An estimator all of whose values are multiplied.
 struct Scaled final : PathEstimator {

@@ -174,10 +174,10 @@ std::vector<Mutant> mutants_of(const View& view) {
                                  check(std::make_shared<Scaled>(std::make_shared<Direct>(), 1 + 2.5 * view.delta))}};
     if (view.id.starts_with("sky"))  // elsewhere lights are small and bright: this one's tails would be heavy
         mutants.push_back({"counted-twice", "Both techniques count in full.",
-                           check(direct_by(LightTechniques::both, counted_twice))});
+                           check(std::make_shared<Direct>(LightTechniques::both, counted_twice))});
     if (view.id == "studio-emitters")
         mutants.push_back({"pmf-dropped", "The probability of the light is missing in the density of its samples.",
-                           check(direct_by(LightTechniques::both, no_pmf))});
+                           check(std::make_shared<Direct>(LightTechniques::both, no_pmf))});
     return mutants;
 }
 
@@ -218,7 +218,7 @@ void add_environment(Catalogue& catalogue) {
          .kind = Kind::mean,
          .check = check(std::make_shared<Direct>()),
          .mutants = {{"pmf-dropped", "The probability of the light is missing in the density of its samples.",
-                      check(direct_by(LightTechniques::both, no_pmf))},
+                      check(std::make_shared<Direct>(LightTechniques::both, no_pmf))},
                      {"environment-pmf-dropped",
                       "In the BSDF's weight the environment's probability among the lights is missing.",
                       check(std::make_shared<DirectBy>(one_side))},

@@ -121,8 +121,8 @@ Scene under_masks(bool point_light, double first, double second) {
 /// ρ/π I/d² of a point light of 4 W/sr at distance 2: 1/π.
 Verdict share_of_point(double first, double second, const NextEvent& next_event, const Run& run) {
     const Scene scene = under_masks(true, first, second);
-    const auto estimator = direct_by(LightTechniques::both, next_event);
-    const Measurement measurement{.scene = scene, .estimator = *estimator, .film = Point<2>{0.5, 0.5}, .n = 1};
+    const Direct estimator(LightTechniques::both, next_event);
+    const Measurement measurement{.scene = scene, .estimator = estimator, .film = Point<2>{0.5, 0.5}, .n = 1};
     const double reference = (1 - opacity) * (1 - second_opacity) / pi;
     return mean_is([&](RandomStream& random) { return measurement.draw(random)[0]; },
                    {.reference = reference, .delta = 1e-3, .epsilon = 1e-6, .zero_variance = true}, run);
