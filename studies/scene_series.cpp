@@ -63,8 +63,9 @@ Method method_of(const std::string& id) {
 
 /// The mean luminance of a region, with bounds of its variance.
 struct Truth {
-    double mean, least_variance, most_variance;
-    std::string said;
+    double mean = 0;
+    Interval variance{0, 0};
+    std::string said = {};
 };
 
 Truth measured(const Replicate& replicate, std::uint64_t n, std::uint64_t replicates, const Run& run) {
@@ -75,7 +76,7 @@ Truth measured(const Replicate& replicate, std::uint64_t n, std::uint64_t replic
     });
     const Moments all = Moments::of(means);
     const double variance = all.variance() / static_cast<double>(replicates);
-    return {all.mean(), variance, variance, {}};
+    return {all.mean(), {variance, variance}, {}};
 }
 
 // A picture knows the variances v of its channels but no covariances: that of the luminance Σ w x lies between Σ w² v,
@@ -83,7 +84,7 @@ Truth measured(const Replicate& replicate, std::uint64_t n, std::uint64_t replic
 Truth read_off(const Picture& picture, const FilmRegion& region) {
     constexpr std::array weights{luminance(Spectrum::rgb(1, 0, 0)), luminance(Spectrum::rgb(0, 1, 0)),
                                  luminance(Spectrum::rgb(0, 0, 1))};
-    Truth truth{};
+    Truth truth;
     const double n = static_cast<double>(region.width) * region.height;
     for (int y = region.y; y < region.y + region.height; ++y)
         for (int x = region.x; x < region.x + region.width; ++x) {
@@ -91,10 +92,10 @@ Truth read_off(const Picture& picture, const FilmRegion& region) {
             for (std::size_t c = 0; c < 3; ++c) {
                 const std::size_t k = picture.at(x, y, c);
                 truth.mean += weights[c] * picture.mean[k] / n;
-                truth.least_variance += weights[c] * weights[c] * picture.variance[k] / (n * n);
+                truth.variance.low += weights[c] * weights[c] * picture.variance[k] / (n * n);
                 deviation += weights[c] * std::sqrt(picture.variance[k]);
             }
-            truth.most_variance += deviation * deviation / (n * n);
+            truth.variance.high += deviation * deviation / (n * n);
         }
     return truth;
 }
@@ -137,11 +138,7 @@ Truth truth_of(const Reference& reference, const FilmRegion& region, FilmSize fi
 }
 
 void subtract(const Truth& truth, Series& series) {
-    for (ConvergencePoint& point : series.points) {
-        point.mse -= truth.most_variance;
-        point.mse_interval = {point.mse_interval.low - truth.most_variance,
-                              point.mse_interval.high - truth.least_variance};
-    }
+    for (ConvergencePoint& point : series.points) subtract_variance_of_truth(point, truth.variance);
     series.slope = fit_slope(series.points, 0.95);
 }
 

@@ -44,13 +44,26 @@ ConvergencePoint convergence_point(std::uint64_t n, std::span<const Estimate> re
         point.evaluations += static_cast<double>(r.evaluations);
     }
     point.evaluations /= static_cast<double>(replicates.size());
-    point.mse = squares.mean();
     point.bias = errors.mean();
     point.bias_standard_error = errors.standard_error();
-    point.log_mse_error = squares.standard_error() / point.mse;  // delta method: sqrt((kurtosis − 1)/R)
-    const double half = normal_upper_quantile(0.025) * point.log_mse_error;
-    point.mse_interval = {point.mse * std::exp(-half), point.mse * std::exp(half)};
+    set_mse(point, squares.mean(), squares.standard_error());
     return point;
+}
+
+void set_mse(ConvergencePoint& point, double mse, double standard_error) {
+    const double reach = normal_upper_quantile(0.025) * standard_error;
+    point.mse = mse;
+    point.log_mse_error = mse > 0 ? standard_error / mse : std::numeric_limits<double>::quiet_NaN();  // delta method
+    point.mse_interval = mse > 0 ? Interval{mse * std::exp(-reach / mse), mse * std::exp(reach / mse)}
+                                 : Interval{mse - reach, mse + reach};
+}
+
+void subtract_variance_of_truth(ConvergencePoint& point, const Interval& variance) {
+    const double v = variance.high, of_replicates = point.log_mse_error * point.mse;
+    set_mse(point, point.mse - v,
+            std::sqrt(of_replicates * of_replicates + 2 * v * v + 4 * v * point.bias * point.bias));
+    point.mse_interval.high += variance.width();
+    point.bias_standard_error = std::hypot(point.bias_standard_error, std::sqrt(v));
 }
 
 // Deterministic methods leave no error of their MSE: their points weigh the same and the slope has no interval.

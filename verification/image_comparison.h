@@ -45,7 +45,7 @@ struct ChannelTest {
 
 /// Are differences of the size that their variances say, or smaller?
 struct AlikenessTest {
-    double ratio = 1;  ///< of the mean squared difference of pixels to the sum of both variances
+    double ratio = 1;  ///< the mean over pixels of squared differences to the sums of both variances, spikes bounded
     double p_value = 1;
 };
 

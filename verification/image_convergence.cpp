@@ -97,15 +97,9 @@ ConvergencePoint convergence_point(const RendersAt& at, const Picture& reference
     ConvergencePoint point{.n = at.samples,
                            .evaluations = static_cast<double>(at.samples) * n,
                            .seconds = at.seconds,
-                           .mse = squares.mean(),
                            .bias = differences.mean(),
                            .bias_standard_error = std::sqrt(differences.variance() + of_reference / n / n)};
-    const double error = std::sqrt(squares.variance() + of_reference_squared / n / n);
-    point.log_mse_error = point.mse > 0 ? error / point.mse : std::numeric_limits<double>::quiet_NaN();
-    const double reach = normal_upper_quantile(0.025) * error;
-    point.mse_interval =
-        point.mse > 0 ? Interval{point.mse * std::exp(-reach / point.mse), point.mse * std::exp(reach / point.mse)}
-                      : Interval{point.mse - reach, point.mse + reach};
+    set_mse(point, squares.mean(), std::sqrt(squares.variance() + of_reference_squared / n / n));
     return point;
 }
 
