@@ -56,7 +56,7 @@ Verdict forecasts_are_closed_forms(double first_index) {
 
 template <class Pmf>
 Verdict exp_single_variance(const Draw& draw, const Pmf& pmf, const Run& run) {
-    return variance_is(draw, forecast_single_term(exp_difference, nothing, one, pmf, 60).variance, 0.05, 60000, run);
+    return variance_is(draw, forecast_single_term(exp_difference, nothing, one, pmf, 60).variance, 0.05, 120000, run);
 }
 
 }  // namespace

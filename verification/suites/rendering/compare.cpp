@@ -161,7 +161,7 @@ Verdict level_is_kept(int replicates, double variance_scale, const Run& run) {
         [&](RandomStream& random) {
             return is_refuted(noisy_pair(one, other, variance_scale, random), alpha) ? 1.0 : 0.0;
         },
-        {.bound = alpha, .margin = 0.04, .bounds = {0, 1}, .cap = run.pick<std::uint64_t>(1000, 10000)}, run);
+        {.bound = alpha, .margin = 0.04, .bounds = {0, 1}, .cap = run.pick<std::uint64_t>(4000, 40000)}, run);
 }
 
 Verdict honest_pairs(double variance_scale, const Run& run) {

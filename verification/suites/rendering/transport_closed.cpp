@@ -33,7 +33,7 @@ struct Precision {
 using Made = std::shared_ptr<const PathEstimator>;
 
 std::uint64_t cap(const Run& run) {
-    return run.pick(std::uint64_t{1} << 14, std::uint64_t{1} << 19);
+    return run.pick(std::uint64_t{1} << 16, std::uint64_t{1} << 21);
 }
 
 // The sums 1 − 2^-D of limited depths follow.

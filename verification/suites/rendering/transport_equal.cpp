@@ -42,7 +42,7 @@ Verdict same_mean(const Scene& scene, const FilmRegion& region, const PathEstima
     };
     return mean_is(
         draw,
-        {.delta = delta, .epsilon = 1e-5 * delta, .cap = run.pick(std::uint64_t{1} << 18, std::uint64_t{1} << 22)},
+        {.delta = delta, .epsilon = 1e-5 * delta, .cap = run.pick(std::uint64_t{1} << 20, std::uint64_t{1} << 24)},
         run);
 }
 
