@@ -13,6 +13,7 @@ class FixedPointSum {
 public:
     static_assert(fraction_bits + term_bits <= 106);
 
+    static constexpr double resolution = 1 / static_cast<double>(__extension__(__int128){1} << fraction_bits);
     /// Whether x can be a term; NaN cannot.
     static bool accepts(double x) { return std::abs(x) < std::ldexp(1.0, term_bits); }
     /// x must be accepted.

@@ -165,7 +165,10 @@ double Film::mean(int x, int y, std::size_t channel) const {
 double Film::variance_of_mean(int x, int y, std::size_t channel) const {
     if (replicates_ < 2) return std::numeric_limits<double>::infinity();
     const double n = static_cast<double>(replicates_), m = mean(x, y, channel);
-    return std::max(0.0, squares_[at(x, y, channel)].value() / n - m * m) / (n - 1);
+    const double square = squares_[at(x, y, channel)].value() / n, centred = square - m * m;
+    // What rounding leaves of a constant is no variance: of each square when it was added, and of both terms here.
+    const double rounding = ExactSumOfSquares::resolution + 4 * std::numeric_limits<double>::epsilon() * square;
+    return centred > rounding ? centred / (n - 1) : 0;
 }
 
 Image Film::image() const {

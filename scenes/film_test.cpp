@@ -47,6 +47,14 @@ TEST(Film, TakesTheVarianceFromReplicates) {
     EXPECT_EQ(film.mean(0, 0, 3), -2);
 }
 
+TEST(Film, FindsNoVarianceInConstants) {
+    for (const double constant : {0.1, 0.7, 2.3, 1e5 / 3}) {
+        Film film({1, 1}, layers);
+        for (int pass = 0; pass < 16; ++pass) film.add(pass_of({constant}));
+        EXPECT_EQ(film.variance_of_mean(0, 0, 0), 0) << constant;
+    }
+}
+
 TEST(Film, CountsWhatShouldNotBe) {
     const FilmPass pass = pass_of({NAN, HUGE_VAL, -1, 1e30, 3});
     EXPECT_EQ(pass.bad_values(), (BadValues{3, 6, 3}));  // three channels each; a depth may be negative

@@ -112,7 +112,7 @@ double Scene::light_pdf(std::size_t light, Vec3 position, Vec3 normal, Vec3 from
     const double cos_at_light = -dot(normal, direction);
     if (!(cos_at_light > 0)) return 0;
     // That the light was met is not asked again: the ray started a rounding error beside `from`, and a direction at the
-    // light's rim that seems to miss it would have density 0, hence the whole weight: 2 where others are 0.2.
+    // light's rim that misses it from there would have density 0, hence the whole weight: a firefly.
     const auto pdf = [&](const auto& emitter) {
         if constexpr (requires { emitter.pdf_area(); })
             return per_steradian(emitter.pdf_area(), length(position - from), cos_at_light);

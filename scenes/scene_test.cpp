@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scenes/emitters/sphere_light.h"
 #include "scenes/mitsuba_xml.h"
 #include "scenes/shipped.h"
 #include "scenes/warps.h"
@@ -18,7 +19,8 @@ TEST(Scene, KnowsADensityForEveryLightThatARayMeets) {
     const Hit floor = scene.intersect(rounded_ray(point + Vec3{0, 1, -1}, {0, -1, 1}), 0.5, log).value();
     const Frame frame(normalize(to_centre));
     const double rim = std::asin(0.5 / length(to_centre));
-    int met = 0;
+    const SphereLight light({0, 1, 0}, 0.5, Spectrum::grey(4));
+    int met = 0, met_only_from_its_start = 0;
     for (int i = 0; i < 40'000; ++i) {
         const double turn = 2 * pi * i / 40'000, off_axis = rim + 1e-8 * (i % 199 - 99);
         const Vec3 direction = frame.to_world(
@@ -26,9 +28,12 @@ TEST(Scene, KnowsADensityForEveryLightThatARayMeets) {
         const auto hit = scene.intersect(leave(floor.point, direction), 0.5, log);
         if (!hit || is_black(scene.emitted(*hit, -direction))) continue;
         ++met;
-        ASSERT_GT(scene.light_pdf(*hit, floor.point.position, direction), 0) << "ray " << i;
+        met_only_from_its_start += light.hit(floor.point.position, direction) ? 0 : 1;
+        ASSERT_DOUBLE_EQ(scene.light_pdf(*hit, floor.point.position, direction), light.pdf(floor.point.position))
+            << "ray " << i;
     }
     EXPECT_GT(met, 10'000);
+    EXPECT_GT(met_only_from_its_start, 1000);
 }
 
 }  // namespace

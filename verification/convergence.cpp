@@ -59,9 +59,9 @@ void set_mse(ConvergencePoint& point, double mse, double standard_error) {
 }
 
 void subtract_variance_of_truth(ConvergencePoint& point, const Interval& variance) {
-    const double v = variance.high, of_replicates = point.log_mse_error * point.mse;
-    set_mse(point, point.mse - v,
-            std::sqrt(of_replicates * of_replicates + 2 * v * v + 4 * v * point.bias * point.bias));
+    const double v = variance.high, of_replicates = point.mse > 0 ? point.log_mse_error * point.mse : 0;
+    const double bias_squared = std::max(0.0, point.bias * point.bias - v);
+    set_mse(point, point.mse - v, std::sqrt(of_replicates * of_replicates + 2 * v * v + 4 * v * bias_squared));
     point.mse_interval.high += variance.width();
     point.bias_standard_error = std::hypot(point.bias_standard_error, std::sqrt(v));
 }

@@ -11,7 +11,7 @@ namespace {
 
 TEST(SubtractVarianceOfTruth, LeavesAnIntervalOfTheMse) {
     constexpr double bias = 0.5, mse = 1 + bias * bias, variance = 0.02;
-    int covered = 0;
+    int covered = 0, bias_covered = 0;
     for (std::uint64_t trial = 0; trial < 400; ++trial) {
         RandomStream random(trial);
         const auto normal = [&] { return normal_upper_quantile(random.uniform()); };
@@ -20,10 +20,13 @@ TEST(SubtractVarianceOfTruth, LeavesAnIntervalOfTheMse) {
         ConvergencePoint point = convergence_point(1, replicates, std::sqrt(variance) * normal());
         subtract_variance_of_truth(point, {variance, variance});
         covered += point.mse_interval.contains(mse) ? 1 : 0;
-        EXPECT_GT(point.bias_standard_error, 0.99 * std::sqrt(variance));
+        bias_covered += std::abs(point.bias - bias) < 1.96 * point.bias_standard_error ? 1 : 0;
     }
-    EXPECT_GT(covered, 360);  // 380 expected; 206 if only the replicates' errors counted
+    // Of 380; errors that are products of normal ones reach a little farther. 206, if only the replicates' counted.
+    EXPECT_GT(covered, 350);
     EXPECT_LT(covered, 396);
+    EXPECT_GT(bias_covered, 362);
+    EXPECT_LT(bias_covered, 396);
 }
 
 TEST(SubtractVarianceOfTruth, LeavesNoSlopeWhereNothingIsLeft) {

@@ -152,41 +152,66 @@ void add_chi_square(ChannelTest& test, const std::vector<TileTest>& tiles, std::
     test.lower_p = chi_square_lower_tail(test.chi_square, degrees);
 }
 
+// ---- too alike
+
 // t² = d²/(va + vb), of ν degrees of freedom, as t² (ν + 1)/(ν + t²): at most ν + 1, whatever spikes there are, with
-// expectation 1 for normal errors and for any whose difference is as likely to have the other sign [Efron 1969]. Of
-// skewed ones it is more: nothing that makes pictures look too alike. Empty: neither noise nor a difference.
-std::optional<double> bounded_square(double difference, double rounding, double variance, double per_degree) {
-    const double square = std::abs(difference) > rounding || variance > 0 ? difference * difference : 0;
-    const double whole = variance + square * per_degree;
+// expectation 1 for normal errors and for any whose difference is as likely to have the other sign [Efron 1969], and
+// more for others. Empty where rounding may hide what noise there is: equal constants say nothing, and the variance
+// that a renderer found for them is what rounding left of it.
+std::optional<double> bounded_square(double a, double b, double rounding, double variance, double per_degree) {
+    const double size = std::abs(a) + std::abs(b), hidden = rounding * size;
+    const double told_from_constants = std::max(8 * hidden, 5e-5 * size);
+    if (std::abs(a - b) <= hidden && variance <= told_from_constants * told_from_constants) return {};
+    const double square = (a - b) * (a - b), whole = variance + square * per_degree;
     if (!(whole > 0) || !std::isfinite(whole)) return {};
     return square * (1 + per_degree) / whole;
 }
 
-/// How far below 1 is the mean of those squares? Each pixel is the mean of its channels. Their variance is taken for no
-/// less than that of normal errors: samples that are shared have less, and equal images none.
-AlikenessTest alikeness(const Picture& a, const Picture& b, const DifferenceRules& rules) {
-    // Those of both sides, whichever has the variance: too many make the squares larger, too few smaller.
-    double degrees = 0;
-    for (const double of_side : {a.degrees, b.degrees})
-        if (std::isfinite(of_side)) degrees += of_side;
-    const double per_degree = degrees > 0 ? 1 / degrees : 0;
-    Moments excess;
-    const std::size_t count = a.channels.size();
-    for (std::size_t pixel = 0; pixel < a.mean.size(); pixel += count) {
-        Moments channels;
-        for (std::size_t k = pixel; k < pixel + count; ++k) {
-            const double rounding = rules.rounding * (std::abs(a.mean[k]) + std::abs(b.mean[k]));
-            if (const auto square =
-                    bounded_square(a.mean[k] - b.mean[k], rounding, a.variance[k] + b.variance[k], per_degree))
-                channels.add(*square - 1);
+// 1/ν of va + vb [Satterthwaite 1946], at the most balanced of the middle half of a tile's shares va/(va + vb): its
+// spikes have most of the variance, but are few of the pixels. Where ν is too large, squares are too.
+double per_degree_in(const Picture& a, const Picture& b, const PixelBox& box, std::size_t channel) {
+    std::vector<double> shares;
+    for (int y = box.y; y < box.y + box.height; ++y)
+        for (int x = box.x; x < box.x + box.width; ++x) {
+            const std::size_t k = a.at(x, y, channel);
+            if (const double both = a.variance[k] + b.variance[k]; both > 0) shares.push_back(a.variance[k] / both);
         }
-        if (channels.count() > 0) excess.add(channels.mean());
+    double share = std::isinf(b.degrees) ? 0 : std::isinf(a.degrees) ? 1 : a.degrees / (a.degrees + b.degrees);
+    if (!shares.empty()) {
+        const auto quarter = static_cast<std::ptrdiff_t>(shares.size() / 4);
+        std::ranges::sort(shares);
+        share = std::clamp(share, *(shares.begin() + quarter), *(shares.end() - 1 - quarter));
+    }
+    return share * share / a.degrees + (1 - share) * (1 - share) / b.degrees;
+}
+
+/// How far below 1 is the mean of those squares? Each pixel is the mean of its channels. Their variance is taken for no
+/// less than that of normal errors of one channel: samples that are shared have less, and equal images none.
+AlikenessTest alikeness(const Picture& a, const Picture& b, const Grid& grid, const DifferenceRules& rules) {
+    Moments excess, normal_variance;
+    std::vector<double> per_degree(grid.channels);
+    for (const PixelBox& box : grid.boxes) {
+        for (std::size_t c = 0; c < grid.channels; ++c) per_degree[c] = per_degree_in(a, b, box, c);
+        for (int y = box.y; y < box.y + box.height; ++y)
+            for (int x = box.x; x < box.x + box.width; ++x) {
+                Moments channels;
+                for (std::size_t c = 0; c < grid.channels; ++c) {
+                    const std::size_t k = a.at(x, y, c);
+                    if (const auto square = bounded_square(a.mean[k], b.mean[k], rules.rounding,
+                                                           a.variance[k] + b.variance[k], per_degree[c]))
+                        channels.add(*square - 1);
+                }
+                if (channels.count() == 0) continue;
+                excess.add(channels.mean());
+                normal_variance.add(2 / (1 + 3 * per_degree[0]));
+            }
     }
     if (excess.count() < 2) return {};
     const auto n = static_cast<double>(excess.count());
-    const double variance = std::max(excess.variance(), 2 / (1 + 3 * per_degree));
-    const double t = excess.mean() / std::sqrt(variance * rules.inflation / n);
-    const double skewness = (std::abs(excess.skewness()) + 2 * std::sqrt(6 / n)) * std::sqrt(rules.inflation / n);
+    const double t =
+        excess.mean() / std::sqrt(std::max(excess.variance(), normal_variance.mean()) * rules.inflation / n);
+    const double of_pixels = excess.variance() > 0 ? std::abs(excess.skewness()) : 0;
+    const double skewness = (of_pixels + 2 * std::sqrt(6 / n)) * std::sqrt(rules.inflation / n);
     return {1 + excess.mean(), t < 0 ? std::min(1.0, skewed_p_value(t, skewness) / 2) : 1.0};
 }
 
@@ -226,8 +251,8 @@ std::string refutation(const ImageComparison& found, const ComparisonSettings& s
     }
     if (found.alike.p_value < settings.alpha * alike_part)
         parts.push_back(
-            fmt::format("pixels are too alike for independent errors: squared differences are {:.3g} times "
-                        "what the variances say; do the images share samples?",
+            fmt::format("pixels are too alike for independent errors: their squared t, bounded, is {:.3g} in the mean, "
+                        "not 1 or more; do the images share samples?",
                         found.alike.ratio));
     std::string text;
     for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
@@ -279,7 +304,7 @@ Verdict verdict_of(const ImageComparison& found, const ComparisonSettings& setti
                         {"tile_means", static_cast<std::uint64_t>(found.tiles.size())},
                         {"differing", static_cast<std::uint64_t>(found.differing.size())},
                         {"undecided", static_cast<std::uint64_t>(found.undecided.size())},
-                        {"squared_differences_to_variances", found.alike.ratio},
+                        {"mean_bounded_squared_t", found.alike.ratio},
                         {"variance_inflation", found.correlation.inflation}};
     return verdict;
 }
@@ -344,7 +369,7 @@ ImageComparison compare(const Picture& a, const Picture& b, const ComparisonSett
     for (const std::size_t i : found.differing) found.tiles[i].state = TileState::differs;
     found.undecided = undecided_tiles(found.tiles);
     for (std::size_t c = 0; c < grid.channels; ++c) add_chi_square(found.channels[c], found.tiles, c);
-    found.alike = alikeness(a, b, rules);
+    found.alike = alikeness(a, b, grid, rules);
     found.errors = errors_of(a, b, rules.inflation);
     found.verdict = verdict_of(found, settings);
     return found;

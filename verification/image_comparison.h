@@ -45,7 +45,7 @@ struct ChannelTest {
 
 /// Are differences of the size that their variances say, or smaller?
 struct AlikenessTest {
-    double ratio = 1;  ///< the mean over pixels of squared differences to the sums of both variances, spikes bounded
+    double ratio = 1;  ///< the mean over pixels of squared t, bounded: 1 or more for independent pictures
     double p_value = 1;
 };
 

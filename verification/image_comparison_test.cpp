@@ -142,6 +142,51 @@ TEST(ImageComparison, RefutesSharedSamples) {
     EXPECT_THAT(same.verdict.reason, HasSubstr("too alike"));
 }
 
+Image scaled_variance(Image image, float factor) {
+    for (std::size_t i = 0; i < image.values.size(); ++i)
+        if (i % 6 >= 3) image.values[i] *= factor;
+    return image;
+}
+
+TEST(ImageComparison, RefutesVariancesThatAreTooLarge) {
+    const SyntheticRender few = exponential(64, 2), many = exponential(64, 64);
+    const ImageComparison found = compared(scaled_variance(few(1), 8), scaled_variance(many(2), 8));
+    EXPECT_EQ(found.verdict.outcome, Outcome::refuted);
+    EXPECT_THAT(found.verdict.reason, HasSubstr("too alike"));
+    EXPECT_GT(compared(few(1), many(2)).alike.p_value, 1e-3);
+}
+
+TEST(ImageComparison, TakesNoConstantsForSharedSamples) {
+    for (std::uint64_t pair = 0; pair < 20; ++pair) {
+        const auto sky = [&](Image image) {  // of 0.7, with what rounding left of its variance
+            for (std::size_t i = 0; i < image.values.size(); ++i)
+                if (i / 6 % 32 < 24) image.values[i] = i % 6 < 3 ? 0.7f : 1e-15f;
+            return image;
+        };
+        const ImageComparison found = compared(sky(exponential()(2 * pair)), sky(exponential()(2 * pair + 1)));
+        EXPECT_GT(found.alike.p_value, 1e-4) << pair;
+    }
+}
+
+TEST(ImageComparison, TakesNoRoundingForSharedSamples) {
+    const auto in_halves = [](Image image) {
+        for (float& value : image.values) {
+            int exponent = 0;
+            const float digits = std::frexp(value, &exponent);
+            value = std::ldexp(std::round(std::ldexp(digits, 11)), exponent - 11);
+        }
+        return image;
+    };
+    for (const double noise : {3e-5, 3e-4, 3e-3, 3e-2}) {
+        SyntheticRender render = exponential(32, 2);
+        render.law = [=](RandomStream& random, int, int) { return 1 + noise * (2 * random.uniform() - 1); };
+        for (std::uint64_t pair = 0; pair < 10; ++pair) {
+            const ImageComparison found = compared(in_halves(render(2 * pair)), in_halves(render(2 * pair + 1)));
+            EXPECT_GT(found.alike.p_value, 1e-4) << noise;
+        }
+    }
+}
+
 TEST(ImageComparison, LeavesFirefliesUndecidedAndNamed) {
     SyntheticRender quiet = exponential();
     quiet.samples = 400;

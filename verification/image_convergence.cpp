@@ -6,7 +6,6 @@
 
 #include "core/error.h"
 #include "core/moments.h"
-#include "verification/distributions.h"
 
 namespace plumb {
 namespace {

@@ -171,7 +171,13 @@ Picture picture_of(std::span<const Image> renders, std::span<const std::string> 
 }
 
 bool has_variance(const Image& image, const std::string& name) {
-    return has_variance_of(image, colours_of(image, name));
+    const std::vector<std::string> channels = colours_of(image, name);
+    const auto known =
+        std::ranges::count_if(channels, [&](const std::string& c) { return has_variance_of(image, {c}); });
+    if (known > 0 && !has_variance_of(image, channels))
+        throw Error(fmt::format("{}: has layers variance.… for {} of its {} channels; accepted: all or none", name,
+                                known, channels.size()));
+    return known > 0;
 }
 
 void require_independent(std::span<const Image> images, std::span<const std::string> names) {

@@ -35,7 +35,8 @@ struct Picture {
 /// in size, or which two share their random numbers.
 Picture picture_of(std::span<const Image> renders, std::span<const std::string> names, bool exact = false);
 
-/// Whether each of the colours that picture_of() takes has its layer variance.… Throws as picture_of() does.
+/// Whether each of the colours that picture_of() takes has its layer variance.…; Throws Error where some have, or as
+/// picture_of() does.
 bool has_variance(const Image& image, const std::string& name);
 
 /// Throws Error naming two images that have the same seed and scene in their metadata: they share samples, so that

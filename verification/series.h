@@ -18,7 +18,7 @@ struct ConvergencePoint {
     double mse = 0;           ///< about the known value
     Interval mse_interval{};  ///< 95 %
     double bias = 0, bias_standard_error = 0;
-    double log_mse_error = 0;  ///< standard error of log(mse): sqrt((kurtosis − 1)/R)
+    double log_mse_error = 0;  ///< standard error of log(mse), NaN where mse is not positive
 };
 
 struct Slope {

@@ -38,12 +38,12 @@ public:
         const double cos = d > 0 ? dot(direction, to_centre) / d : 1;
         const double sin_squared = d > 0 ? length_squared(cross(direction, to_centre)) / (d * d) : 0;
         if (d > radius_ && !(cos > 0 && d * d * sin_squared <= radius_ * radius_)) return {};
-        return EmitterHit{distance(d, cos, sin_squared), radiance_, pdf(from)};
+        return EmitterHit{distance(d, cos, sin_squared), radiance_, cone_pdf(d)};
     }
     /// Per steradian at `from`, alike for all directions that meet the light.
     [[nodiscard]] double pdf(Vec3 from) const {
         const double d = to_distance(centre_ - from);
-        return shines_at(d) ? 1 / (2 * pi * one_minus_cos(d)) : 0;
+        return shines_at(d) ? cone_pdf(d) : 0;
     }
     [[nodiscard]] EmittedRay sample_ray(const Ball&, const Point<2>& u, const Point<2>& v) const {
         return send_from(shining(sample_uniform_sphere(u)), radiance_, 1 / area(), v);
@@ -74,6 +74,7 @@ private:
         const double cos = std::sqrt((d - radius_) * (d + radius_)) / d;
         return radius_ / d * (radius_ / d) / (1 + cos);
     }
+    [[nodiscard]] double cone_pdf(double d) const { return 1 / (2 * pi * one_minus_cos(d)); }
     /// To the near side from outside, to the only side from inside.
     [[nodiscard]] double distance(double d, double cos, double sin_squared) const {
         const double half_chord = std::sqrt(std::max(0.0, radius_ * radius_ - d * d * sin_squared));

@@ -165,7 +165,7 @@ std::vector<Spoiled> images_spoiled() {
     const auto change = [&](const Change& how) {
         return spoil([=](Image image) { return changed(std::move(image), how); });
     };
-    constexpr PixelBox horizon{0, 15, 32, 17}, bright_wall{0, 0, 16, 16};
+    constexpr PixelBox horizon{0, 15, 32, 2}, bright_wall{0, 0, 16, 16};
     return {{"dark-tile",
              "One tile 3 % darker.",
              change([](double v, int x, int y) { return x >= 16 && x < 24 && y < 8 ? 0.97 * v : v; }),

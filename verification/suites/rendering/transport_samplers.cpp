@@ -37,7 +37,7 @@ double truth() {
 
 Series errors(const Numbers& numbers, const Run& run) {
     const ConvergenceSetting setting{
-        "path, " + numbers.name, "pixels of a box", truth(), {4, 16, 64}, run.pick<std::uint64_t>(600, 12'000)};
+        "path, " + numbers.name, "pixels of a box", truth(), {4, 16, 64}, run.pick<std::uint64_t>(1200, 12'000)};
     return measure_convergence(
         [&](std::uint64_t n, RandomStream& random) { return mean_of_pixels(numbers.sampler, n, random.bits()); },
         setting, run.part(numbers.name));
