@@ -165,7 +165,8 @@ std::vector<Spoiled> images_spoiled() {
     const auto change = [&](const Change& how) {
         return spoil([=](Image image) { return changed(std::move(image), how); });
     };
-    constexpr PixelBox horizon{0, 15, 32, 2}, bright_wall{0, 0, 16, 16};
+    // The horizon and what stands before it, which has all edges; above is only wall.
+    constexpr PixelBox edges{0, 15, 32, 17}, bright_wall{0, 0, 16, 16};
     return {{"dark-tile",
              "One tile 3 % darker.",
              change([](double v, int x, int y) { return x >= 16 && x < 24 && y < 8 ? 0.97 * v : v; }),
@@ -174,7 +175,7 @@ std::vector<Spoiled> images_spoiled() {
              change([](double v, int, int) { return srgb_from_linear(v); })},
             {"eight-bits", "Written in 8 bits and read again: the wall by the light is cut off.", spoil(in_bytes),
              bright_wall},
-            {"blurred", "Blurred over 3x3 pixels.", spoil(blurred), horizon}};
+            {"blurred", "Blurred over 3x3 pixels.", spoil(blurred), edges}};
 }
 
 std::vector<Spoiled> renderers_spoiled() {
