@@ -157,16 +157,26 @@ Pair against(const Job& honest, const std::function<Image(std::uint64_t)>& spoil
     return [=](std::uint64_t seed) { return std::pair{honest(2 * seed), spoiled(2 * seed + 1)}; };
 }
 
+/// Four images of each side: of one, differences that neighbours share look like errors that they share.
+Pair fours(const std::function<Image(std::uint64_t)>& honest, const std::function<Image(std::uint64_t)>& spoiled) {
+    const auto four = [](const std::function<Image(std::uint64_t)>& image, std::uint64_t seed) {
+        std::vector<Image> images;
+        for (std::uint64_t i = 0; i < 4; ++i) images.push_back(image(4 * seed + i));
+        return Renders(std::move(images));
+    };
+    return [=](std::uint64_t seed) { return TwoSides{four(honest, 2 * seed), four(spoiled, 2 * seed + 1)}; };
+}
+
 std::vector<Spoiled> images_spoiled() {
-    const Job honest{honest_scene, direct(), samples("sobol", 8)};
+    const Job honest{honest_scene, direct(), samples("sobol", 8)},
+        precise{honest_scene, direct(), samples("sobol", 16)};
     const auto spoil = [&](const std::function<Image(Image)>& how) {
         return against(honest, [=](std::uint64_t seed) { return how(honest(seed)); });
     };
     const auto change = [&](const Change& how) {
         return spoil([=](Image image) { return changed(std::move(image), how); });
     };
-    // The horizon and what stands before it, which has all edges; above is only wall.
-    constexpr PixelBox edges{0, 15, 32, 17}, bright_wall{0, 0, 16, 16};
+    constexpr PixelBox bright_wall{0, 0, 16, 16};
     return {{"dark-tile",
              "One tile 3 % darker.",
              change([](double v, int x, int y) { return x >= 16 && x < 24 && y < 8 ? 0.97 * v : v; }),
@@ -175,7 +185,8 @@ std::vector<Spoiled> images_spoiled() {
              change([](double v, int, int) { return srgb_from_linear(v); })},
             {"eight-bits", "Written in 8 bits and read again: the wall by the light is cut off.", spoil(in_bytes),
              bright_wall},
-            {"blurred", "Blurred over 3x3 pixels.", spoil(blurred), edges}};
+            {"blurred", "Blurred over 3x3 pixels.",
+             against(precise, [=](std::uint64_t seed) { return blurred(precise(seed)); })}};
 }
 
 std::vector<Spoiled> renderers_spoiled() {
@@ -190,15 +201,6 @@ std::vector<Spoiled> renderers_spoiled() {
     const auto spoiled = [&](Job job, Renderer renderer) {
         job.renderer = std::move(renderer);
         return job;
-    };
-    // Of one image of each side, differences that neighbours share look like errors that they share.
-    const auto four = [](const std::function<Image(std::uint64_t)>& image, std::uint64_t seed) {
-        std::vector<Image> images;
-        for (std::uint64_t i = 0; i < 4; ++i) images.push_back(image(4 * seed + i));
-        return Renders(std::move(images));
-    };
-    const auto fours = [=](const Job& one, const std::function<Image(std::uint64_t)>& other) {
-        return [=](std::uint64_t seed) { return TwoSides{four(one, 2 * seed), four(other, 2 * seed + 1)}; };
     };
     constexpr PixelBox on_ball{4, 17, 10, 10}, in_shelf{19, 16, 11, 11};
     return {

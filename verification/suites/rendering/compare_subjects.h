@@ -42,7 +42,7 @@ bool is_refuted(const TwoSides& sides, double alpha);
 /// where that has no pixels. `tile` as in ComparisonSettings.
 Verdict comparison_shows(const Pair& pair, const PixelBox& place, const Run& run, int tile = 0);
 
-/// A pair whose second render has a defect, and where that shows.
+/// A pair whose second render has a defect, and where that shows; no place: all over the picture.
 struct Spoiled {
     std::string id, defect;
     Pair pair;
