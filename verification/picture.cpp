@@ -39,9 +39,9 @@ std::vector<std::size_t> indices(const Image& image, const std::string& name,
     return found;
 }
 
-bool has_variance_of(const Image& image, const std::vector<std::string>& channels) {
-    return std::ranges::all_of(channels,
-                               [&](const std::string& c) { return channel_index(image, "variance." + c).has_value(); });
+std::size_t variances_among(const Image& image, const std::vector<std::string>& channels) {
+    const auto known = [&](const std::string& c) { return channel_index(image, "variance." + c).has_value(); };
+    return static_cast<std::size_t>(std::ranges::count_if(channels, known));
 }
 
 double replicates_of(const Image& image, const std::string& name) {
@@ -147,7 +147,7 @@ Picture picture_of(std::span<const Image> renders, std::span<const std::string> 
                             "EXR",
                             names[i]));
         sources.push_back(indices(renders[i], names[i], picture.channels));
-        layers = layers && has_variance_of(renders[i], picture.channels);
+        layers = layers && variances_among(renders[i], picture.channels) == picture.channels.size();
         picture.rounding = std::max(picture.rounding, rounding_of(renders[i]));
     }
     picture.mean.assign(
@@ -172,9 +172,8 @@ Picture picture_of(std::span<const Image> renders, std::span<const std::string> 
 
 bool has_variance(const Image& image, const std::string& name) {
     const std::vector<std::string> channels = colours_of(image, name);
-    const auto known =
-        std::ranges::count_if(channels, [&](const std::string& c) { return has_variance_of(image, {c}); });
-    if (known > 0 && !has_variance_of(image, channels))
+    const std::size_t known = variances_among(image, channels);
+    if (known > 0 && known < channels.size())
         throw Error(fmt::format("{}: has layers variance.… for {} of its {} channels; accepted: all or none", name,
                                 known, channels.size()));
     return known > 0;

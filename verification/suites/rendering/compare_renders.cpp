@@ -123,6 +123,11 @@ Renderer path(int longest = -1) {
     return by(PathTracer({.max_edges = longest}));
 }
 
+/// By direct light, of so many Sobol samples a pass.
+Job still(std::uint32_t per_pass) {
+    return {honest_scene, direct(), samples("sobol", per_pass)};
+}
+
 // ---- defects
 
 double without_cosine_on_ball(const Scene& scene, const PathVertex& vertex, const EmitterSample& light,
@@ -168,8 +173,7 @@ Pair fours(const std::function<Image(std::uint64_t)>& honest, const std::functio
 }
 
 std::vector<Spoiled> images_spoiled() {
-    const Job honest{honest_scene, direct(), samples("sobol", 8)},
-        precise{honest_scene, direct(), samples("sobol", 16)};
+    const Job honest = still(8), precise = still(16);
     const auto spoil = [&](const std::function<Image(Image)>& how) {
         return against(honest, [=](std::uint64_t seed) { return how(honest(seed)); });
     };
@@ -193,8 +197,8 @@ std::vector<Spoiled> renderers_spoiled() {
     NextEvent no_cosine = default_next_event(), point_left_out = default_next_event();
     no_cosine.visibility = without_cosine_on_ball;
     point_left_out.choose = without_point_at_times;
-    const Job honest{honest_scene, direct(), samples("sobol", 4)}, closer{honest_scene, direct(), samples("sobol", 8)},
-        precise{honest_scene, direct(), samples("sobol", 16)}, long_paths{honest_scene, path(), samples("sobol", 1)},
+    const Job honest = still(4), closer = still(8), precise = still(16);
+    const Job long_paths{honest_scene, path(), samples("sobol", 1)},
         noisy{honest_scene, direct(), samples("independent", 4)},
         by_lights{honest_scene, direct(), samples("sobol", 64, by_the_point)},
         by_bsdf{honest_scene, by(Direct(LightTechniques::bsdf)), samples("independent", 8)};
@@ -246,7 +250,7 @@ Verdict honest_pairs(double variance_scale, const Run& run) {
 void add_compare_render_claims(Catalogue& catalogue) {
     std::vector<Spoiled> spoiled = images_spoiled();
     for (Spoiled& render : renderers_spoiled()) spoiled.push_back(std::move(render));
-    Job honest{honest_scene, direct(), samples("sobol", 4)};
+    Job honest = still(4);
     honest.settings.passes = 64;
     const auto is_honest = [=](const Run& run) {
         constexpr int tile = 16;  // of smaller ones a few pixels have all the variance: no skewness is known well
