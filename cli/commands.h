@@ -11,6 +11,8 @@
 
 namespace plumb {
 
+class Scene;
+
 /// What `list` can show: a name and its rows.
 using Lists = std::map<std::string, std::function<std::vector<ListRow>()>>;
 /// Claims and mutants of the catalogue, which must outlive the lists.
@@ -27,6 +29,7 @@ int study(const StudyOptions& options);
 int study_calibration(const StudyOptions& options);  ///< the study of that name: what a verdict costs
 int reference(const ReferenceOptions& options);
 int render(const RenderOptions& options);
+int render(const RenderOptions& options, const std::function<Scene()>& load);  ///< a scene that is not to be read again
 int explain(const ExplainOptions& options);
 int compare(const CompareOptions& options);
 int integrate(const IntegrateOptions& options);

@@ -8,27 +8,29 @@
 #include "integrators/reference_cache.h"
 #include "integrators/render_until.h"
 #include "integrators/scene_identity.h"
+#include "scenes/mitsuba_xml.h"
+#include "scenes/shipped.h"
 
 namespace plumb {
 
 namespace {
 
 // What the picture will lack is not noise, and no error tells it.
-void print_what_is_left_out(const ReferenceOptions& options) {
-    if (options.integrator != "path" && options.integrator != "light") return;
-    const Transporter by = options.integrator == "path" ? Transporter::path : Transporter::light;
+void print_what_is_left_out(const std::string& integrator, const Scene& scene) {
+    if (integrator != "path" && integrator != "light") return;
+    const Transporter by = integrator == "path" ? Transporter::path : Transporter::light;
     constexpr int most_edges = 4;
     std::vector<std::string> classes;
-    for (const PathClass& path : left_out(by, load_scene(options), most_edges)) classes.push_back(to_string(path));
+    for (const PathClass& path : left_out(by, scene, most_edges)) classes.push_back(to_string(path));
     if (!classes.empty())
-        fmt::print("`{}` leaves out light that `bdpt` finds in this scene, such as {}\n", options.integrator,
-                   classes.front());
+        fmt::print("`{}` leaves out light that `bdpt` finds in this scene, such as {}\n", integrator, classes.front());
 }
 
 }  // namespace
 
 int reference(const ReferenceOptions& options) {
-    Provenance wanted = identity_of(options.scene, {options.definitions, options.lenient});
+    description::Scene loaded = load_mitsuba(scene_file(options.scene), {options.definitions, options.lenient});
+    Provenance wanted = identity_of(options.scene, loaded);
     wanted.integrator = find_integrator(options.integrator).id;
     wanted.limits.max_edges = options.max_depth;
     if (!wanted.is_radiance())
@@ -48,10 +50,11 @@ int reference(const ReferenceOptions& options) {
         }
         fmt::print("{}; rendered anew\n", says);
     }
-    print_what_is_left_out(options);
+    Scene scene(std::move(loaded));
+    print_what_is_left_out(options.integrator, scene);
     RenderOptions to_file = options;
     to_file.out = file.string();
-    return render(to_file);
+    return render(to_file, [&] { return std::move(scene); });
 }
 
 }  // namespace plumb

@@ -124,13 +124,17 @@ fs::path output_of(const RenderOptions& options, const fs::path& scene) {
 }  // namespace
 
 int render(const RenderOptions& options) {
+    return render(options, [&] { return load_scene(options); });
+}
+
+int render(const RenderOptions& options, const std::function<Scene()>& load) {
     const auto estimator = estimator_of(options);
     const fs::path file = scene_file(options.scene);
     const fs::path out = output_of(options, file);
     check_writable(out);
     if (!options.shard) check_image_format(out);
     RunInfo info = start_run(options.seed, options.threads);
-    const Scene scene = load_scene(options);
+    const Scene scene = load();
     RenderSettings settings = settings_of(options, info.seed, scene.sensor().film());
     if (options.time) settings.passes = 1u << 20;
     if (options.shard) settings = part_of(settings, options.shard->index, options.shard->count);
