@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/options.h"
-#include "estimators/integration.h"
+#include "estimators/replicates/integration.h"
 #include "reports/results.h"
 
 namespace plumb {

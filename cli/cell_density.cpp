@@ -11,8 +11,8 @@
 
 #include "core/error.h"
 #include "core/file.h"
-#include "estimators/density.h"
-#include "estimators/density_2d.h"
+#include "estimators/densities/density.h"
+#include "estimators/densities/density_2d.h"
 
 namespace plumb {
 namespace {

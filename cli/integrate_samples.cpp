@@ -5,7 +5,7 @@
 #include "core/file.h"
 #include "core/moments.h"
 #include "core/parallel.h"
-#include "estimators/sample_weighting.h"
+#include "estimators/reweighting/sample_weighting.h"
 
 namespace plumb {
 namespace {

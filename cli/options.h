@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "estimators/integration.h"
+#include "estimators/replicates/integration.h"
 #include "verification/image_comparison.h"
 #include "verification/known_values.h"
 #include "verification/runner.h"

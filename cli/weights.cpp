@@ -4,7 +4,7 @@
 #include "cli/user_integrand.h"
 #include "core/error.h"
 #include "core/file.h"
-#include "estimators/sample_weighting.h"
+#include "estimators/reweighting/sample_weighting.h"
 
 namespace plumb {
 namespace {

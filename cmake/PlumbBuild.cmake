@@ -1,6 +1,6 @@
 # How every folder of Plumb is built.
 #
-#   plumb_library(NAME SOURCES… [DEPENDS targets…])   a folder's target plumb::NAME
+#   plumb_library(NAME [SOURCES…] [DEPENDS targets…])   a folder's target plumb::NAME; without sources, of headers alone
 #   plumb_test(NAME SOURCES… [DEPENDS targets…])      its unit tests, one executable, each test known to ctest
 #   plumb_heavy_sources(TARGET SOURCES… [DEPENDS targets…])   units of TARGET that need about 1 GB each to compile
 #
@@ -73,13 +73,19 @@ endfunction()
 
 function(plumb_library name)
   cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
-  add_library(plumb_${name} STATIC ${arg_UNPARSED_ARGUMENTS})
+  set(scope PUBLIC)
+  if(arg_UNPARSED_ARGUMENTS)
+    add_library(plumb_${name} STATIC ${arg_UNPARSED_ARGUMENTS})
+    plumb_precompiled_headers(plumb_${name} FALSE)
+  else()
+    add_library(plumb_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
   add_library(plumb::${name} ALIAS plumb_${name})
-  target_link_libraries(plumb_${name} PUBLIC $<BUILD_INTERFACE:plumb_options> fmt::fmt ${arg_DEPENDS})
+  target_link_libraries(plumb_${name} ${scope} $<BUILD_INTERFACE:plumb_options> fmt::fmt ${arg_DEPENDS})
   target_include_directories(plumb_${name} INTERFACE $<INSTALL_INTERFACE:${PLUMB_INCLUDE}>)
-  target_compile_features(plumb_${name} PUBLIC cxx_std_20)
+  target_compile_features(plumb_${name} ${scope} cxx_std_20)
   set_target_properties(plumb_${name} PROPERTIES EXPORT_NAME ${name})
-  plumb_precompiled_headers(plumb_${name} FALSE)
 endfunction()
 
 function(plumb_test name)

@@ -1,9 +1,9 @@
 // The lists of all estimators, joined from those of each family.
 #include "estimators/estimator.h"
-#include "estimators/importance_estimators.h"
-#include "estimators/point_set_estimators.h"
-#include "estimators/reweighting_estimators_1d.h"
-#include "estimators/reweighting_estimators_2d.h"
+#include "estimators/mis/importance_estimators.h"
+#include "estimators/points/point_set_estimators.h"
+#include "estimators/reweighting/reweighting_estimators_1d.h"
+#include "estimators/reweighting/reweighting_estimators_2d.h"
 
 namespace plumb {
 namespace {

@@ -2,9 +2,9 @@
 #include <benchmark/benchmark.h>
 
 #include "core/random.h"
-#include "estimators/cells_1d.h"
-#include "estimators/multi_jittered.h"
-#include "estimators/sobol.h"
+#include "estimators/reweighting/cells_1d.h"
+#include "estimators/points/multi_jittered.h"
+#include "estimators/points/sobol.h"
 
 namespace plumb {
 namespace {

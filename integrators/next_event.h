@@ -1,6 +1,6 @@
 #pragma once
 
-#include "estimators/mis.h"
+#include "estimators/mis/mis.h"
 #include "integrators/path_estimator.h"
 
 namespace plumb {

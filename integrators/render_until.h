@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "estimators/integration.h"
+#include "estimators/replicates/integration.h"
 #include "integrators/render.h"
 #include "scenes/film_error.h"
 

@@ -1,8 +1,8 @@
 #include "integrators/sampler.h"
 
 #include "core/error.h"
-#include "estimators/sobol.h"
-#include "estimators/stratified.h"
+#include "estimators/points/sobol.h"
+#include "estimators/points/stratified.h"
 
 namespace plumb {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/primary_samples.h"
-#include "estimators/point_set_samples.h"
+#include "estimators/points/point_set_samples.h"
 
 namespace plumb {
 

@@ -5,7 +5,7 @@
 #include "scenes/emitters/sphere_light.h"
 #include "scenes/mitsuba_xml.h"
 #include "scenes/shipped.h"
-#include "scenes/warps.h"
+#include "estimators/densities/warps.h"
 
 namespace plumb {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "core/error.h"
 #include "core/sample_counts.h"
-#include "estimators/batches.h"
-#include "estimators/step_density_estimators.h"
+#include "estimators/replicates/batches.h"
+#include "estimators/reweighting/step_density_estimators.h"
 #include "studies/scene_series.h"
 
 #include <toml++/toml.h>

@@ -1,6 +1,6 @@
 #include "scenes/bsdfs/plastic.h"
 
-#include "scenes/warps.h"
+#include "estimators/densities/warps.h"
 
 namespace plumb {
 

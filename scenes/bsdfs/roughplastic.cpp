@@ -2,7 +2,7 @@
 
 #include "scenes/bsdfs/fresnel.h"
 #include "scenes/bsdfs/plastic.h"
-#include "scenes/warps.h"
+#include "estimators/densities/warps.h"
 
 namespace plumb {
 

@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "scenes/emitters/surface.h"
-#include "scenes/warps.h"
+#include "estimators/densities/warps.h"
 
 namespace plumb {
 

@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "core/error.h"
-#include "scenes/warps.h"
+#include "estimators/densities/warps.h"
 
 namespace plumb {
 

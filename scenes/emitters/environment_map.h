@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "estimators/piecewise_constant.h"
+#include "estimators/densities/piecewise_constant.h"
 #include "scenes/emitters/distant.h"
 
 namespace plumb {

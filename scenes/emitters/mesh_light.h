@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/error.h"
-#include "estimators/piecewise_constant.h"
+#include "estimators/densities/piecewise_constant.h"
 #include "scenes/emitters/surface.h"
-#include "scenes/warps.h"
+#include "estimators/densities/warps.h"
 
 namespace plumb {
 

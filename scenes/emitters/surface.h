@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scenes/emitters/emitter.h"
-#include "scenes/warps.h"
+#include "estimators/densities/warps.h"
 
 namespace plumb {
 

@@ -6,7 +6,7 @@
 
 #include "analytic/integrand.h"
 #include "estimators/estimator.h"
-#include "estimators/replicates.h"
+#include "estimators/replicates/replicates.h"
 #include "verification/mean.h"
 #include "verification/suites/suites.h"
 

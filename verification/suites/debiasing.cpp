@@ -159,7 +159,7 @@ void add_infinite_telescoping(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/single-term/zero-variance",
         .statement = "With p_k proportional to Δ_k the single-term estimator is exact in every sample.",
-        .source = "ours, estimators/telescoping.h",
+        .source = "ours, estimators/debiasing/telescoping.h",
         .kind = Kind::mean,
         .check =
             [](const Run& run) {

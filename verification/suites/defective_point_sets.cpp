@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimators/halton.h"
-#include "estimators/random_shift.h"
-#include "estimators/sobol.h"
-#include "estimators/strata.h"
+#include "estimators/points/halton.h"
+#include "estimators/points/random_shift.h"
+#include "estimators/points/sobol.h"
+#include "estimators/points/strata.h"
 
 namespace plumb {
 

@@ -4,8 +4,8 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "estimators/density_2d.h"
-#include "estimators/piecewise_constant.h"
+#include "estimators/densities/density_2d.h"
+#include "estimators/densities/piecewise_constant.h"
 #include "verification/deterministic.h"
 #include "verification/distribution.h"
 #include "verification/suites/suites.h"
@@ -87,16 +87,16 @@ std::vector<DensityCase> density_cases() {
     exponential_mutant.pdf = [](double x) { return 3 * std::exp(-3 * x); };
     steps_mutant.pdf = [steps](double x) { return steps[static_cast<std::size_t>(x * 6)] / 15; };
     return {
-        {"linear", "The linear density", "ours, estimators/density.h", functions_of(linear), linear_mutant,
+        {"linear", "The linear density", "ours, estimators/densities/density.h", functions_of(linear), linear_mutant,
          "The values at the ends are not divided by their mean.", functions_of(swapped).sample,
          "The values at the ends are exchanged.", functions_of(LinearDensity(1, 4)).sample,
          "The value at 1 is 4, not 3."},
-        {"exponential", "The truncated exponential", "ours, estimators/density.h", functions_of(exponential),
+        {"exponential", "The truncated exponential", "ours, estimators/densities/density.h", functions_of(exponential),
          exponential_mutant, "The density lacks 1 − e^-λ, the mass of the interval.",
          [](double u) { return std::min(-std::log1p(-u) / 3, 1 - 0x1p-53); },
          "Draws of the untruncated exponential beyond 1 are moved to 1.",
          functions_of(TruncatedExponential(3.25)).sample, "The rate is 3.25, not 3."},
-        {"steps", "The piecewise constant density", "ours, estimators/piecewise_constant.h",
+        {"steps", "The piecewise constant density", "ours, estimators/densities/piecewise_constant.h",
          functions_of(PiecewiseConstant(steps)), steps_mutant, "The probability of a cell is not divided by its width.",
          functions_of(PiecewiseConstant(rotated)).sample, "The cells are off by one.",
          functions_of(PiecewiseConstant(std::vector<double>{2.4, 0, 5, 1, 4, 3})).sample,
@@ -241,7 +241,7 @@ void add_two_dimensional(Catalogue& catalogue) {
     catalogue.add({
         .id = "density/bilinear/distribution",
         .statement = "The bilinear density's samples fall into cells with the integrals of its pdf.",
-        .source = "ours, estimators/density_2d.h",
+        .source = "ours, estimators/densities/density_2d.h",
         .kind = Kind::distribution,
         .check = [](const Run& run) { return points_follow(bilinear, bilinear, run); },
         .mutants = {{"mean-conditional", "y is drawn from one density, whatever x is.",
@@ -250,7 +250,7 @@ void add_two_dimensional(Catalogue& catalogue) {
     catalogue.add({
         .id = "density/product/distribution",
         .statement = "A product density's samples fall into cells with the integrals of its pdf.",
-        .source = "ours, estimators/density_2d.h",
+        .source = "ours, estimators/densities/density_2d.h",
         .kind = Kind::distribution,
         .check = [](const Run& run) { return points_follow(product, product, run); },
         .mutants = {{"axis-left-uniform", "The second axis is not warped.",
@@ -287,7 +287,7 @@ void add_discrete(Catalogue& catalogue) {
     catalogue.add({
         .id = "discrete/cdf/exact",
         .statement = "CDF inversion of integer weights hits every index exactly as often as its weight says.",
-        .source = "ours, estimators/discrete.h",
+        .source = "ours, estimators/densities/discrete.h",
         .kind = Kind::exact,
         .check = [](const Run&) { return cdf_positions([](std::uint64_t position) { return position; }); },
         .mutants = {{"off-by-one", "Positions are counted from 1.",
@@ -309,7 +309,7 @@ void add_discrete(Catalogue& catalogue) {
     catalogue.add({
         .id = "discrete/cdf/distribution",
         .statement = "Draws by CDF inversion follow the weights.",
-        .source = "ours, estimators/discrete.h",
+        .source = "ours, estimators/densities/discrete.h",
         .kind = Kind::distribution,
         .check =
             [](const Run& run) {

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "estimators/mean_over.h"
-#include "estimators/point_set_estimators.h"
-#include "estimators/replicates.h"
-#include "estimators/stratified.h"
+#include "estimators/points/mean_over.h"
+#include "estimators/points/point_set_estimators.h"
+#include "estimators/replicates/replicates.h"
+#include "estimators/points/stratified.h"
 #include "verification/mean.h"
 #include "verification/suites/suites.h"
 
@@ -85,7 +85,7 @@ void add_squares(Catalogue& catalogue) {
         .id = "error-bars/independent/squared-standard-error",
         .statement = "The squared standard error that two independent points report has the variance of their mean as "
                      "its expectation.",
-        .source = "estimators/mean_over.h",
+        .source = "estimators/points/mean_over.h",
         .kind = Kind::mean,
         .check = check(two_independent_points, whole, range),
         .mutants = mutants(two_independent_points, whole, range),
@@ -98,7 +98,7 @@ void add_squares(Catalogue& catalogue) {
         .id = "error-bars/replicates/squared-standard-error",
         .statement = "The squared standard error of two stratified replicates has the variance of their mean as its "
                      "expectation.",
-        .source = "estimators/replicates.h",
+        .source = "estimators/replicates/replicates.h",
         .kind = Kind::mean,
         .check = check(two_stratified_runs, strata / 2, range / 4),
         .mutants = std::move(replicate_mutants),
@@ -124,7 +124,7 @@ void add_coverage(Catalogue& catalogue) {
         .id = "error-bars/replicates/coverage",
         .statement =
             "The 95 % interval from eight replicates, with Student's quantile, covers the integral in 95 % of runs.",
-        .source = "[Student 1908]; estimators/replicates.h",
+        .source = "[Student 1908]; estimators/replicates/replicates.h",
         .kind = Kind::mean,
         .check = [](const Run& run) { return interval_covers(t_of_7_at_975, run); },
         .mutants = {{"normal-quantile", "1.96, as if the spread were known: 90.9 % are covered.",

@@ -74,7 +74,7 @@ void add_forecast_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/forecast/single-term-variance",
         .statement = "The single-term estimator has the variance Σ Δ_k²/p_k − (I − I_0)².",
-        .source = "Rhee & Glynn 2015; ours, estimators/telescoping.h",
+        .source = "Rhee & Glynn 2015; ours, estimators/debiasing/telescoping.h",
         .kind = Kind::ratio,
         .check =
             [](const Run& run) { return exp_single_variance(exp_single_term(Geometric(0.5)), Geometric(0.5), run); },
@@ -122,7 +122,7 @@ void add_forecast_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/forecast/cost",
         .statement = "A telescoped trapezoidal rule evaluates 2 + Σ 2^k P(K ≥ k) times on average.",
-        .source = "ours, estimators/telescoping.h",
+        .source = "ours, estimators/debiasing/telescoping.h",
         .kind = Kind::cost,
         .check =
             [](const Run&) {

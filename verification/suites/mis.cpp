@@ -4,8 +4,8 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "analytic/rational.h"
-#include "estimators/density.h"
-#include "estimators/mis_estimators.h"
+#include "estimators/densities/density.h"
+#include "estimators/mis/mis_estimators.h"
 #include "verification/deterministic.h"
 #include "verification/mean.h"
 #include "verification/ratio.h"
@@ -203,7 +203,7 @@ void add_mis_claims(Catalogue& catalogue) {
         .id = "mis/weights/double-sum",
         .statement = "In double the weights sum to 1 within 2 ulp, for densities from 5e-324 to 1.7e308, infinite "
                      "ones, and a thousand techniques.",
-        .source = "ours, estimators/mis.h",
+        .source = "ours, estimators/mis/mis.h",
         .kind = Kind::bounded,
         .check = [](const Run&) { return double_sums_to_one(all_heuristics<double>()); },
         .mutants = {{"balance-without-scaling", "n p is not scaled: it overflows.",
@@ -340,7 +340,7 @@ void add_mis_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "mis/balance/error-bar",
         .statement = "The squared standard error of multi-sample MIS is on average its variance.",
-        .source = "ours, estimators/mis_estimators.h",
+        .source = "ours, estimators/mis/mis_estimators.h",
         .kind = Kind::mean,
         .check = [](const Run& run) { return error_bar_mean(1, run); },
         .mutants = {{"variance-over-n", "Sums of squares are divided by n = 3, not by n − 1.",

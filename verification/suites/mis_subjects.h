@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "estimators/mis.h"
+#include "estimators/mis/mis.h"
 
 namespace plumb {
 

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "estimators/halton.h"
-#include "estimators/latin_hypercube.h"
-#include "estimators/mean_over.h"
-#include "estimators/multi_jittered.h"
-#include "estimators/random_shift.h"
-#include "estimators/sobol.h"
-#include "estimators/stratified.h"
-#include "estimators/zero_two.h"
+#include "estimators/points/halton.h"
+#include "estimators/points/latin_hypercube.h"
+#include "estimators/points/mean_over.h"
+#include "estimators/points/multi_jittered.h"
+#include "estimators/points/random_shift.h"
+#include "estimators/points/sobol.h"
+#include "estimators/points/stratified.h"
+#include "estimators/points/zero_two.h"
 #include "verification/rate.h"
 #include "verification/suites/defective_point_sets.h"
 #include "verification/suites/suites.h"
@@ -136,7 +136,7 @@ void add_rates_1d(Catalogue& catalogue) {
     add<1>(catalogue, {.set = "stratified",
                        .property = "rate-smooth",
                        .statement = "The MSE of stratified means of e^x falls as n^-3.",
-                       .source = "[Haber 1966]; estimators/point_set_slopes.cpp",
+                       .source = "[Haber 1966]; estimators/points/point_set_slopes.cpp",
                        .generate = stratified_1d,
                        .problem = exponential,
                        .integrand = "e^x",
@@ -149,7 +149,7 @@ void add_rates_1d(Catalogue& catalogue) {
     add<1>(catalogue, {.set = "stratified",
                        .property = "rate-jump",
                        .statement = "The MSE of stratified means of a jump falls as n^-2.",
-                       .source = "estimators/point_set_slopes.cpp",
+                       .source = "estimators/points/point_set_slopes.cpp",
                        .generate = stratified_1d,
                        .problem = jump,
                        .integrand = "jump at a random place",
@@ -173,7 +173,7 @@ void add_rates_1d(Catalogue& catalogue) {
     add<1>(catalogue, {.set = "hammersley-shifted",
                        .property = "rate-smooth",
                        .statement = "The MSE of means of e^x over a randomly shifted grid falls as n^-2 only.",
-                       .source = "[Cranley & Patterson 1976]; estimators/point_set_slopes.cpp",
+                       .source = "[Cranley & Patterson 1976]; estimators/points/point_set_slopes.cpp",
                        .generate = shifted_grid,
                        .problem = exponential,
                        .integrand = "e^x",
@@ -187,7 +187,7 @@ void add_rates_2d(Catalogue& catalogue) {
     add<2>(catalogue, {.set = "stratified",
                        .property = "rate-smooth",
                        .statement = "The MSE of stratified means of e^(x+y) falls as n^-2.",
-                       .source = "[Haber 1966]; estimators/point_set_slopes.cpp",
+                       .source = "[Haber 1966]; estimators/points/point_set_slopes.cpp",
                        .generate = stratified_2d,
                        .problem = product,
                        .integrand = "e^(x+y)",
@@ -198,7 +198,7 @@ void add_rates_2d(Catalogue& catalogue) {
     add<2>(catalogue, {.set = "stratified",
                        .property = "rate-edge",
                        .statement = "The MSE of stratified means of an oblique edge falls as n^-1.5.",
-                       .source = "estimators/point_set_slopes.cpp",
+                       .source = "estimators/points/point_set_slopes.cpp",
                        .generate = stratified_2d,
                        .problem = oblique_edge,
                        .integrand = "oblique edge at a random place",
@@ -234,7 +234,7 @@ void add_rates_2d(Catalogue& catalogue) {
     add<2>(catalogue, {.set = "cmj",
                        .property = "rate-additive",
                        .statement = "The MSE of correlated multi-jittered means of e^x + e^y falls as n^-3.",
-                       .source = "[Kensler 2013]; estimators/point_set_slopes.cpp",
+                       .source = "[Kensler 2013]; estimators/points/point_set_slopes.cpp",
                        .generate = correlated_multi_jittered_2d,
                        .problem = sum,
                        .integrand = "e^x + e^y",
@@ -247,7 +247,7 @@ void add_rates_2d(Catalogue& catalogue) {
             .property = "rate-product",
             .statement =
                 "The MSE of correlated multi-jittered means of e^(x+y) falls as n^-1.5 only, slower than stratified.",
-            .source = "ours, estimators/point_set_slopes.cpp",
+            .source = "ours, estimators/points/point_set_slopes.cpp",
             .generate = correlated_multi_jittered_2d,
             .problem = product,
             .integrand = "e^(x+y)",
@@ -274,7 +274,7 @@ void add_rates_2d(Catalogue& catalogue) {
     add<2>(catalogue, {.set = "sobol-owen",
                        .property = "rate-edge",
                        .statement = "The MSE of Owen-scrambled means of an oblique edge falls as n^-1.5, n = 2^k.",
-                       .source = "estimators/point_set_slopes.cpp",
+                       .source = "estimators/points/point_set_slopes.cpp",
                        .generate = owen_sobol_2d,
                        .problem = oblique_edge,
                        .integrand = "oblique edge at a random place",
@@ -285,7 +285,7 @@ void add_rates_2d(Catalogue& catalogue) {
     add<2>(catalogue, {.set = "sobol-owen",
                        .property = "rate-upright-edge",
                        .statement = "The MSE of Owen-scrambled means of an edge along an axis falls as n^-2, n = 2^k.",
-                       .source = "estimators/point_set_slopes.cpp",
+                       .source = "estimators/points/point_set_slopes.cpp",
                        .generate = owen_sobol_2d,
                        .problem = upright_edge,
                        .integrand = "upright edge at a random place",
@@ -296,7 +296,7 @@ void add_rates_2d(Catalogue& catalogue) {
     add<2>(catalogue, {.set = "sobol-owen",
                        .property = "rate-kink",
                        .statement = "The MSE of Owen-scrambled means of an oblique kink falls as n^-2.5, n = 2^k.",
-                       .source = "ours, estimators/point_set_slopes.cpp",
+                       .source = "ours, estimators/points/point_set_slopes.cpp",
                        .generate = owen_sobol_2d,
                        .problem = oblique_kink,
                        .integrand = "oblique kink at a random place",

@@ -2,14 +2,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimators/halton.h"
-#include "estimators/latin_hypercube.h"
-#include "estimators/multi_jittered.h"
-#include "estimators/random_shift.h"
-#include "estimators/sobol.h"
-#include "estimators/strata.h"
-#include "estimators/stratified.h"
-#include "estimators/zero_two.h"
+#include "estimators/points/halton.h"
+#include "estimators/points/latin_hypercube.h"
+#include "estimators/points/multi_jittered.h"
+#include "estimators/points/random_shift.h"
+#include "estimators/points/sobol.h"
+#include "estimators/points/strata.h"
+#include "estimators/points/stratified.h"
+#include "estimators/points/zero_two.h"
 #include "verification/suites/defective_point_sets.h"
 #include "verification/suites/suites.h"
 #include "verification/suites/tally.h"
@@ -88,7 +88,7 @@ void add_strata(Catalogue& catalogue) {
     catalogue.add({
         .id = "points/stratified-1d/strata",
         .statement = "Each of n equal intervals holds exactly one stratified point, n = 1 … 64.",
-        .source = "[Haber 1966]; estimators/stratified.cpp",
+        .source = "[Haber 1966]; estimators/points/stratified.cpp",
         .check =
             [](const Run& run) {
                 return fills_strata(lifted(stratified_1d), {true, false, false}, run);
@@ -102,7 +102,7 @@ void add_strata(Catalogue& catalogue) {
         .id = "points/stratified-2d/strata",
         .statement =
             "Each cell of the grid of n = columns × rows cells holds exactly one stratified point, n = 1 … 64.",
-        .source = "[Haber 1966]; estimators/stratified.cpp",
+        .source = "[Haber 1966]; estimators/points/stratified.cpp",
         .check =
             [](const Run& run) {
                 return fills_strata(stratified_2d, {false, false, true}, run);
@@ -205,7 +205,7 @@ void add_nets(Catalogue& catalogue) {
         .statement = "Every aligned run of 2^k among the first 1024 points of Sobol's sequence holds one point in each "
                      "elementary interval of "
                      "area 2^-k, on the first two axes.",
-        .source = "[Sobol' 1967]; estimators/sobol.h",
+        .source = "[Sobol' 1967]; estimators/points/sobol.h",
         .check = [](const Run&) { return is_sequence(sobol_2d); },
         .mutants = {{"first-point-dropped", "The sequence starts at its second point, as Boost.Random's does.",
                      [](const Run&) { return is_sequence(sobol_without_origin); }}},
@@ -215,7 +215,7 @@ void add_nets(Catalogue& catalogue) {
         .statement = "Every aligned run of 2^k among the first 1024 points of the (0,2)-sequence holds one point in "
                      "each elementary interval "
                      "of area 2^-k.",
-        .source = "[Kollig & Keller 2002]; estimators/zero_two.cpp",
+        .source = "[Kollig & Keller 2002]; estimators/points/zero_two.cpp",
         .check = [](const Run&) { return is_sequence(zero_two); },
         .mutants = {{"same-matrix-twice", "Both axes are van der Corput's sequence.",
                      [](const Run&) { return is_sequence(same_axis_twice); }},

@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "core/moments.h"
-#include "estimators/mean_over.h"
-#include "estimators/multi_jittered.h"
-#include "estimators/sobol.h"
-#include "estimators/stratified.h"
+#include "estimators/points/mean_over.h"
+#include "estimators/points/multi_jittered.h"
+#include "estimators/points/sobol.h"
+#include "estimators/points/stratified.h"
 #include "verification/ratio.h"
 #include "verification/suites/defective_point_sets.h"
 #include "verification/suites/suites.h"
@@ -68,7 +68,7 @@ void add_stratified(Catalogue& catalogue) {
         .id = "points/stratified-1d/variance-jump",
         .statement =
             "The variance of the stratified mean of a jump at x0 is φ(1 − φ)/n², φ the fractional part of n x0.",
-        .source = "ours, estimators/point_set_slopes.cpp",
+        .source = "ours, estimators/points/point_set_slopes.cpp",
         .kind = Kind::ratio,
         .check = jump(stratified_1d),
         .mutants = {{"short-jitter", "The jitter fills 88 % of a stratum.",
@@ -89,7 +89,7 @@ void add_scrambled(Catalogue& catalogue) {
         .id = "points/sobol-owen-1d/variance",
         .statement =
             "2^k Owen-scrambled points of one axis are stratified points: the variance of their mean is the same.",
-        .source = "ours, estimators/point_set_slopes.cpp",
+        .source = "ours, estimators/points/point_set_slopes.cpp",
         .kind = Kind::ratio,
         .check = scrambled(owen_sobol_1d),
         .mutants = {{"short-jitter", "Points fill 93 % of their strata.",

@@ -4,9 +4,9 @@
 #include "analytic/cell_weight_density.h"
 #include "analytic/cell_weight_exact.h"
 #include "analytic/ordered_samples.h"
-#include "estimators/cells_1d.h"
-#include "estimators/reweighting_1d.h"
-#include "estimators/samples_1d.h"
+#include "estimators/reweighting/cells_1d.h"
+#include "estimators/reweighting/reweighting_1d.h"
+#include "estimators/reweighting/samples_1d.h"
 #include "verification/deterministic.h"
 #include "verification/suites/reweighting_1d.h"
 
@@ -198,7 +198,7 @@ void add_reweighting_1d_bounded_claims(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/torus-1d/sum",
          .statement = "Cells on the circle sum to 1 within 1e-12, for the same hard sets.",
-         .source = "ours, estimators/cells_1d.h",
+         .source = "ours, estimators/reweighting/cells_1d.h",
          .kind = Kind::bounded,
          .check = [](const Run& run) { return sum_to_one(torus_weights_1d, run, run.pick(100'000, 10'000'000)); },
          .mutants = {{"coincident-each-get-all", "coincident samples each get the whole cell",
@@ -213,7 +213,7 @@ void add_reweighting_1d_bounded_claims(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/torus-1d/cells",
          .statement = "Cells on the circle are those of a sort-free construction from half-lines of periodic copies.",
-         .source = "ours, estimators/cells_1d.h",
+         .source = "ours, estimators/reweighting/cells_1d.h",
          .kind = Kind::bounded,
          .check = [](const Run& run) { return agrees_with_half_lines(torus_weights_1d, true, run); },
          .mutants = {{"clipped-called-periodic", "cells clipped to [0,1]",

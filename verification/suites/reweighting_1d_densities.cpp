@@ -2,14 +2,14 @@
 
 #include "analytic/cell_weight.h"
 #include "analytic/cell_weight_density.h"
-#include "estimators/batches.h"
-#include "estimators/cells_1d.h"
-#include "estimators/density.h"
-#include "estimators/piecewise_strata.h"
-#include "estimators/reweighting_1d.h"
-#include "estimators/samples_1d.h"
-#include "estimators/tent.h"
-#include "estimators/warp.h"
+#include "estimators/replicates/batches.h"
+#include "estimators/reweighting/cells_1d.h"
+#include "estimators/densities/density.h"
+#include "estimators/reweighting/piecewise_strata.h"
+#include "estimators/reweighting/reweighting_1d.h"
+#include "estimators/reweighting/samples_1d.h"
+#include "estimators/reweighting/tent.h"
+#include "estimators/reweighting/warp.h"
 #include "verification/mean.h"
 #include "verification/suites/reweighting_1d.h"
 #include "verification/suites/reweighting_1d_exponential.h"
@@ -99,7 +99,7 @@ void add_densities(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/warp-reweighted/unbiased",
          .statement = "Reweighting f(T(u))/p(T(u)) in u is unbiased, for the density p(x) = 1/2 + x.",
-         .source = "ours, estimators/warp.h",
+         .source = "ours, estimators/reweighting/warp.h",
          .kind = Kind::mean,
          .check = warp_check(warped(exponential, ramp), reweighted_weights_1d),
          .mutants = {
@@ -110,7 +110,7 @@ void add_densities(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/warp-torus-tent/unbiased",
          .statement = "Torus and tent applied to f(T(u))/p(T(u)) are unbiased, for the density p(x) = 1/2 + x.",
-         .source = "ours, estimators/warp.h",
+         .source = "ours, estimators/reweighting/warp.h",
          .kind = Kind::mean,
          .check =
              warp_check([f = warped(exponential, ramp)](const Point<1>& u) { return f(tent(u)); }, torus_weights_1d),
@@ -213,7 +213,7 @@ void add_strata_and_batches(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/batches/error-bar",
          .statement = "The squared standard error of four batches is in the mean the squared error of their mean.",
-         .source = "ours, estimators/batches.h",
+         .source = "ours, estimators/replicates/batches.h",
          .kind = Kind::mean,
          .check = [](const Run& run) { return error_bar_is_true(1, run); },
          .mutants = {{"divided-by-n", "variance over n in place of n − 1: a quarter too small",

@@ -2,11 +2,11 @@
 
 #include "analytic/cell_weight.h"
 #include "analytic/ordered_samples.h"
-#include "estimators/cells_1d.h"
-#include "estimators/control_variate_line.h"
-#include "estimators/reweighting_1d.h"
-#include "estimators/samples_1d.h"
-#include "estimators/tent.h"
+#include "estimators/reweighting/cells_1d.h"
+#include "estimators/reweighting/control_variate_line.h"
+#include "estimators/reweighting/reweighting_1d.h"
+#include "estimators/reweighting/samples_1d.h"
+#include "estimators/reweighting/tent.h"
 #include "verification/suites/reweighting_1d.h"
 #include "verification/suites/reweighting_1d_exponential.h"
 
@@ -133,7 +133,7 @@ void add_independent(Catalogue& catalogue) {
         {.id = "reweighting/torus-tent/unbiased",
          .statement =
              "Cells on the circle with the integrand folded by φ(u) = 1 − |2u − 1| are unbiased, at N = 2, 4, 8.",
-         .source = "ours, estimators/tent.h",
+         .source = "ours, estimators/reweighting/tent.h",
          .kind = Kind::mean,
          .check = tent_check(torus_weights_1d, folded_exponential),
          .mutants = {{"clipped-cells-of-the-folded", "clipped cells of the folded samples in place of the circle's",
@@ -169,7 +169,7 @@ void add_stratified(Catalogue& catalogue) {
          .mutants = {{"clipped-called-periodic", "cells clipped to [0,1]", check(voronoi_weights_1d)}}});
     catalogue.add({.id = "reweighting/stratified-torus-tent/unbiased",
                    .statement = "The same with the integrand folded by the tent map, at N = 2, 4, 8.",
-                   .source = "ours, estimators/tent.h",
+                   .source = "ours, estimators/reweighting/tent.h",
                    .kind = Kind::mean,
                    .check = check(torus_weights_1d, folded_exponential),
                    .mutants = {{"clipped-cells-of-the-folded", "clipped cells of the folded samples",
@@ -191,7 +191,7 @@ void add_control_variate(Catalogue& catalogue) {
     catalogue.add({.id = "reweighting/control-variate-line/unbiased",
                    .statement = "The reweighted estimate of f minus the line through its end values, plus the line's "
                                 "integral, is unbiased.",
-                   .source = "ours, estimators/control_variate_line.h",
+                   .source = "ours, estimators/reweighting/control_variate_line.h",
                    .kind = Kind::mean,
                    .check = check(control_variate(value_of)),
                    .mutants = {{"integral-not-added", "∫ ℓ is not added back",

@@ -1,11 +1,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "estimators/cells_1d.h"
-#include "estimators/reweighting_1d.h"
-#include "estimators/reweighting_estimators_1d.h"
-#include "estimators/samples_1d.h"
-#include "estimators/tent.h"
+#include "estimators/reweighting/cells_1d.h"
+#include "estimators/reweighting/reweighting_1d.h"
+#include "estimators/reweighting/reweighting_estimators_1d.h"
+#include "estimators/reweighting/samples_1d.h"
+#include "estimators/reweighting/tent.h"
 #include "verification/rate.h"
 #include "verification/suites/reweighting_1d.h"
 
@@ -127,7 +127,7 @@ void add_slow(Catalogue& catalogue) {
     add(catalogue,
         {"reweighting/reweighted/rate",
          "The MSE of the unbiased reweighted estimator falls only like N^-2 where f(0), f(1) ≠ 0, not like N^-4.",
-         "ours, estimators/reweighting_1d.h; against thesis, section 4.5.1",
+         "ours, estimators/reweighting/reweighting_1d.h; against thesis, section 4.5.1",
          "reweighted",
          -2,
          0.25,
@@ -173,18 +173,18 @@ void add_fast(Catalogue& catalogue) {
     add(catalogue,
         {"reweighting/torus-tent/rate",
          "The MSE of cells on the circle for the folded integrand falls like N^-4, unbiased.",
-         "ours, estimators/tent.h", "torus-tent", -4, 0.45, exponential, heavy_tails},
+         "ours, estimators/reweighting/tent.h", "torus-tent", -4, 0.45, exponential, heavy_tails},
         {{"sawtooth", "folded by 2u mod 1 in place of the tent", sawtooth(shipped("torus"))}});
     add(catalogue,
         {"reweighting/control-variate-line/rate",
          "With the line through f(0) and f(1) as control variate the reweighted estimator's MSE falls like N^-4, "
          "unbiased.",
-         "ours, estimators/control_variate_line.h", "control-variate-line", -4, 0.6, exponential, heavy_tails},
+         "ours, estimators/reweighting/control_variate_line.h", "control-variate-line", -4, 0.6, exponential, heavy_tails},
         {{"no-line", "the reweighted estimate of f itself", shipped("reweighted")}});
     add(catalogue,
         {"reweighting/stratified-torus-tent/rate",
          "One jittered sample a stratum, cells on the circle, folded integrand: N^-4, unbiased.",
-         "ours, estimators/tent.h", "stratified-torus-tent", -4, 0.25, exponential, light_tails},
+         "ours, estimators/reweighting/tent.h", "stratified-torus-tent", -4, 0.25, exponential, light_tails},
         {{"sawtooth", "folded by 2u mod 1 in place of the tent", sawtooth(shipped("stratified-torus"))}});
     add(catalogue,
         {"reweighting/yakowitz-trapezoid/rate", "The MSE of the trapezoidal rule on random samples falls like N^-4.",
@@ -215,7 +215,7 @@ void add_fast(Catalogue& catalogue) {
     add(catalogue,
         {"reweighting/warp-torus-tent/rate",
          "Torus and tent in the primary sample of p(x) = 1/2 + x: N^-4, reached late.",
-         "ours, estimators/warp.h",
+         "ours, estimators/reweighting/warp.h",
          "warp-torus-tent",
          -4,
          0.45,

@@ -4,10 +4,10 @@
 #include "analytic/disk_rectangle.h"
 #include "analytic/disk_rectangle_exact.h"
 #include "analytic/disk_rectangle_hard_cases.h"
-#include "estimators/stratified.h"
-#include "estimators/voronoi_2d.h"
-#include "estimators/voronoi_brute_force.h"
-#include "estimators/voronoi_hard_sets.h"
+#include "estimators/points/stratified.h"
+#include "estimators/voronoi/voronoi_2d.h"
+#include "estimators/voronoi/voronoi_brute_force.h"
+#include "estimators/voronoi/voronoi_hard_sets.h"
 #include "verification/deterministic.h"
 #include "verification/suites/reweighting_2d_subjects.h"
 
@@ -57,7 +57,7 @@ void add_areas(Catalogue& catalogue) {
         .id = "reweighting/2d-voronoi/sum-to-1",
         .statement = "Areas of clipped Voronoi cells are non-negative and sum to 1 within 1e-12, on random and on "
                      "degenerate samples.",
-        .source = "ours, estimators/voronoi_2d.h",
+        .source = "ours, estimators/voronoi/voronoi_2d.h",
         .kind = Kind::bounded,
         .check = weights_sum_to_1(voronoi_areas),
         .mutants = {{"not-clipped", "boundary cells reach out of the square", weights_sum_to_1(not_clipped)},
@@ -68,7 +68,7 @@ void add_areas(Catalogue& catalogue) {
         .id = "reweighting/2d-torus/sum-to-1",
         .statement = "Areas of Voronoi cells on the torus are non-negative and sum to 1 within 1e-12, on random and on "
                      "degenerate samples.",
-        .source = "ours, estimators/voronoi_2d.h",
+        .source = "ours, estimators/voronoi/voronoi_2d.h",
         .kind = Kind::bounded,
         .check = weights_sum_to_1(voronoi_areas_periodic),
         .mutants = {{"copies-missing-on-the-left", "periodic copies are added on three sides only",
@@ -77,7 +77,7 @@ void add_areas(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-voronoi/areas",
         .statement = "Clipped Voronoi areas equal the square cut by every bisector, within 1e-12.",
-        .source = "definition of the cell, estimators/voronoi_brute_force.h",
+        .source = "definition of the cell, estimators/voronoi/voronoi_brute_force.h",
         .kind = Kind::bounded,
         .check = areas_agree(voronoi_areas, brute_force_voronoi_areas, false),
         .mutants = {{"torus", "cells on the torus",
@@ -88,7 +88,7 @@ void add_areas(Catalogue& catalogue) {
         .statement =
             "Voronoi areas on the torus equal the square around a sample cut by every bisector with every copy, "
             "within 1e-12.",
-        .source = "definition of the cell, estimators/voronoi_brute_force.h",
+        .source = "definition of the cell, estimators/voronoi/voronoi_brute_force.h",
         .kind = Kind::bounded,
         .check = areas_agree(voronoi_areas_periodic, brute_force_voronoi_areas_periodic, true),
         .mutants = {{"diagonal-copies-missing", "periodic copies only to the left, right, below and above",

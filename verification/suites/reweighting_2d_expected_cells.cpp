@@ -1,9 +1,9 @@
 // The expectation g/N of a clipped cell: what bias it gives, and how dividing by it removes the bias.
 #include "analytic/disk_rectangle.h"
-#include "estimators/cell_weight_2d.h"
-#include "estimators/reweighting_2d.h"
-#include "estimators/stratified.h"
-#include "estimators/voronoi_2d.h"
+#include "estimators/reweighting/cell_weight_2d.h"
+#include "estimators/reweighting/reweighting_2d.h"
+#include "estimators/points/stratified.h"
+#include "estimators/voronoi/voronoi_2d.h"
 #include "verification/deterministic.h"
 #include "verification/suites/reweighting_2d_subjects.h"
 
@@ -127,7 +127,7 @@ void add_reweighting_2d_expected_cell_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-general-g/integrates-to-1",
         .statement = "The tabulated g of 4 uniform samples in the square integrates to 1, because their cells fill it.",
-        .source = "ours, estimators/cell_weight_2d.h",
+        .source = "ours, estimators/reweighting/cell_weight_2d.h",
         .kind = Kind::bounded,
         .check = g_integrates_to_1(3),
         .mutants = {{"exponent-n", "the ball must miss N samples instead of N-1", g_integrates_to_1(4)}},
@@ -135,7 +135,7 @@ void add_reweighting_2d_expected_cell_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-voronoi/biased-by-g",
         .statement = "Clipped Voronoi weights of 4 independent samples estimate the integral of g f, not of f.",
-        .source = "thesis, eq. 4.5, carried to two dimensions in estimators/cell_weight_2d.h",
+        .source = "thesis, eq. 4.5, carried to two dimensions in estimators/reweighting/cell_weight_2d.h",
         .kind = Kind::mean,
         .check = clipped_mean_is(g_of_4),
         .mutants = {{"unbiased", "the consistent estimator called unbiased: 0.042 too high", clipped_mean_is(one)}},
@@ -143,7 +143,7 @@ void add_reweighting_2d_expected_cell_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-general-g/unbiased",
         .statement = "Clipped Voronoi weights over g integrate e^(x+y) without bias from 2 independent samples.",
-        .source = "ours, estimators/cell_weight_2d.h; in one dimension thesis, eq. 4.8",
+        .source = "ours, estimators/reweighting/cell_weight_2d.h; in one dimension thesis, eq. 4.8",
         .kind = Kind::mean,
         .check = reweighted_unbiased(divided_by(g_of_2)),
         .mutants = {{"normalised", "|V|/g scaled to sum to 1: bias -0.021", reweighted_unbiased(normalised)},
@@ -156,7 +156,7 @@ void add_reweighting_2d_expected_cell_claims(Catalogue& catalogue) {
         .statement =
             "Clipped Voronoi weights over g p integrate e^(x+y) without bias from 3 samples of a density p that "
             "is not uniform.",
-        .source = "ours, estimators/cell_weight_2d.h",
+        .source = "ours, estimators/reweighting/cell_weight_2d.h",
         .kind = Kind::mean,
         .check = density_unbiased(two_piece_g, two_piece_pdf, 7),
         .mutants = {{"uniform-g", "g of uniform samples: 4.7 % too bright",

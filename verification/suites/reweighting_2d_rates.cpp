@@ -1,10 +1,10 @@
 // How fast the errors of torus weights fall.
 #include <numbers>
 
-#include "estimators/reweighting_2d.h"
-#include "estimators/stratified.h"
-#include "estimators/tent.h"
-#include "estimators/voronoi_2d.h"
+#include "estimators/reweighting/reweighting_2d.h"
+#include "estimators/points/stratified.h"
+#include "estimators/reweighting/tent.h"
+#include "estimators/voronoi/voronoi_2d.h"
 #include "verification/rate.h"
 #include "verification/suites/reweighting_2d_subjects.h"
 
@@ -53,7 +53,7 @@ void add_reweighting_2d_rate_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-torus/rate",
         .statement = "The MSE of torus weights falls as N^-1.5 where the periodic extension jumps.",
-        .source = "ours: -1 - (1 + 2k)/D, estimators/reweighting_estimators_2d.cpp",
+        .source = "ours: -1 - (1 + 2k)/D, estimators/reweighting/reweighting_estimators_2d.cpp",
         .kind = Kind::rate,
         .check = falls_as(torus, voronoi_areas_periodic, small, 1500, -1.5),
         .mutants = {{"equal-weights", "weights 1/N: -1", falls_as(torus, equal_weights, small, 1500, -1.5)},
@@ -64,7 +64,7 @@ void add_reweighting_2d_rate_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-torus-tent/rate",
         .statement = "The MSE of torus weights under the tent map falls as N^-2.5: the tent leaves a kink.",
-        .source = "ours: -1 - (1 + 2k)/D, estimators/reweighting_estimators_2d.cpp",
+        .source = "ours: -1 - (1 + 2k)/D, estimators/reweighting/reweighting_estimators_2d.cpp",
         .kind = Kind::rate,
         .check = falls_as(tent_plane, voronoi_areas_periodic, middle, 2000, -2.5),
         .mutants = {{"one-axis", "the tent on one axis leaves the jump of the other: -1.5",
@@ -74,7 +74,7 @@ void add_reweighting_2d_rate_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-torus-tent/rate-exp",
         .statement = "The MSE of torus weights under the tent map falls as N^-2.5 for e^(x+y).",
-        .source = "ours: -1 - (1 + 2k)/D, estimators/reweighting_estimators_2d.cpp",
+        .source = "ours: -1 - (1 + 2k)/D, estimators/reweighting/reweighting_estimators_2d.cpp",
         .kind = Kind::rate,
         .check = falls_as(tent_exp, voronoi_areas_periodic, large, 2000, -2.5),
         .mutants = {{"no-tent", "without the tent: -1.5", falls_as(torus, voronoi_areas_periodic, large, 2000, -2.5)}},
@@ -84,7 +84,7 @@ void add_reweighting_2d_rate_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-torus/rate-smooth",
         .statement = "The MSE of torus weights falls as N^-3 for an integrand that is smooth on the torus.",
-        .source = "ours: -1 - 4/D, estimators/reweighting_estimators_2d.cpp",
+        .source = "ours: -1 - 4/D, estimators/reweighting/reweighting_estimators_2d.cpp",
         .kind = Kind::rate,
         .check = falls_as(smooth, voronoi_areas_periodic, large, 2000, -3),
         .mutants = {{"equal-weights", "weights 1/N: -1", falls_as(smooth, equal_weights, large, 2000, -3)},

@@ -1,8 +1,8 @@
 #include "verification/suites/reweighting_2d_subjects.h"
 
-#include "estimators/reweighting_2d.h"
-#include "estimators/stratified.h"
-#include "estimators/voronoi_2d.h"
+#include "estimators/reweighting/reweighting_2d.h"
+#include "estimators/points/stratified.h"
+#include "estimators/voronoi/voronoi_2d.h"
 
 namespace plumb {
 

@@ -1,11 +1,11 @@
 // Weights by cells on the torus: without bias for any integrand.
 #include <numbers>
 
-#include "estimators/random_shift.h"
-#include "estimators/reweighting_2d.h"
-#include "estimators/stratified.h"
-#include "estimators/tent.h"
-#include "estimators/voronoi_2d.h"
+#include "estimators/points/random_shift.h"
+#include "estimators/reweighting/reweighting_2d.h"
+#include "estimators/points/stratified.h"
+#include "estimators/reweighting/tent.h"
+#include "estimators/voronoi/voronoi_2d.h"
 #include "verification/suites/reweighting_2d_subjects.h"
 
 namespace plumb {
@@ -65,7 +65,7 @@ void add_reweighting_2d_torus_claims(Catalogue& catalogue) {
         .id = "reweighting/2d-torus/unbiased",
         .statement =
             "Torus weights of 4 independent samples integrate e^(x+y) without bias, though it is not periodic.",
-        .source = "ours, estimators/reweighting_2d.h; the thesis, A.2, calls the periodic scheme biased",
+        .source = "ours, estimators/reweighting/reweighting_2d.h; the thesis, A.2, calls the periodic scheme biased",
         .kind = Kind::mean,
         .check = unbiased(exp_sum, 4, voronoi_areas_periodic, 0.014),
         .mutants = {{"clipped", "clipped cells called unbiased: bias -0.042",
@@ -76,7 +76,7 @@ void add_reweighting_2d_torus_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-torus/mean-cell",
         .statement = "The cell of a sample at a fixed place on the torus, among 3 uniform ones, has the mean area 1/4.",
-        .source = "ours, estimators/reweighting_2d.h",
+        .source = "ours, estimators/reweighting/reweighting_2d.h",
         .kind = Kind::mean,
         .check = mean_cell_is_one_in_n(voronoi_areas_periodic),
         .mutants = {{"clipped", "clipped cells: bias -0.032", mean_cell_is_one_in_n(voronoi_areas)},
@@ -87,7 +87,7 @@ void add_reweighting_2d_torus_claims(Catalogue& catalogue) {
         .id = "reweighting/2d-torus-tent/unbiased",
         .statement = "Torus weights of 4 independent samples, the integrand folded by the tent map, integrate e^(x+y) "
                      "without bias.",
-        .source = "ours, estimators/reweighting_2d.h",
+        .source = "ours, estimators/reweighting/reweighting_2d.h",
         .kind = Kind::mean,
         .check = unbiased(tented, 4, voronoi_areas_periodic, 0.04),
         .mutants = {{"without-factor", "the tent without its factor 2 covers a quarter of the square: bias -1.27",
@@ -100,7 +100,7 @@ void add_reweighting_2d_torus_claims(Catalogue& catalogue) {
         .id = "reweighting/2d-shifted-torus/unbiased",
         .statement = "Any 4 points, moved by one uniform vector and weighted by their cells on the torus, integrate "
                      "e^(x+y) without bias.",
-        .source = "ours, estimators/reweighting_2d.h",
+        .source = "ours, estimators/reweighting/reweighting_2d.h",
         .kind = Kind::mean,
         .check = unbiased_after_shift(random_shift<2>, voronoi_areas_periodic),
         .mutants = {{"no-shift", "the points stay where they are",

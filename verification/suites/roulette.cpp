@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "analytic/enumeration.h"
-#include "estimators/russian_roulette.h"
+#include "estimators/debiasing/russian_roulette.h"
 #include "verification/deterministic.h"
 #include "verification/mean.h"
 #include "verification/ratio.h"
@@ -88,7 +88,7 @@ void add_roulette_claims(Catalogue& catalogue) {
         .id = "debiasing/roulette/expectation",
         .statement =
             "Nested Russian roulettes keep the mean and have the variance (σ² + μ²)/q − μ², over every outcome.",
-        .source = "Arvo & Kirk 1990; variance ours, estimators/russian_roulette.h",
+        .source = "Arvo & Kirk 1990; variance ours, estimators/debiasing/russian_roulette.h",
         .kind = Kind::exact,
         .check = [](const Run&) { return roulette_enumerated({}); },
         .mutants = {{"not-reweighted", "Survivors are not divided by q.",
@@ -112,7 +112,7 @@ void add_roulette_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/roulette/variance",
         .statement = "The variance of roulette is (σ² + μ²)/q − μ².",
-        .source = "ours, estimators/russian_roulette.h",
+        .source = "ours, estimators/debiasing/russian_roulette.h",
         .kind = Kind::ratio,
         .check = [](const Run& run) { return roulette_variance_is({}, run); },
         .mutants = {{"next-q", "Survivors are divided by the survival probability of the next vertex.",
@@ -125,7 +125,7 @@ void add_roulette_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/roulette/cost",
         .statement = "Roulette with q evaluates n q times on average.",
-        .source = "ours, estimators/russian_roulette.h",
+        .source = "ours, estimators/debiasing/russian_roulette.h",
         .kind = Kind::mean,
         .check = [](const Run& run) { return roulette_cost(survival, run); },
         .mutants = {{"other-q", "q is 0.315, not 0.3.", [](const Run& run) { return roulette_cost(0.315, run); }}},

@@ -1,11 +1,11 @@
 // The star discrepancy: exact, against its definition and a closed form.
-#include "estimators/star_discrepancy.h"
+#include "estimators/points/star_discrepancy.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "estimators/halton.h"
-#include "estimators/strata.h"
+#include "estimators/points/halton.h"
+#include "estimators/points/strata.h"
 #include "verification/suites/suites.h"
 #include "verification/suites/tally.h"
 
@@ -89,7 +89,7 @@ void add_star_discrepancy_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "points/star-discrepancy/brute-force",
         .statement = "The star discrepancy in O(n²) equals the worst of all critical boxes, open and closed.",
-        .source = "[Bundschuh & Zhu 1993]; estimators/star_discrepancy.cpp",
+        .source = "[Bundschuh & Zhu 1993]; estimators/points/star_discrepancy.cpp",
         .check =
             [](const Run&) { return is_star_discrepancy([](const auto& points) { return star_discrepancy(points); }); },
         .mutants = {{"closed-boxes-only", "Boxes with too few points are not seen.", mutant(false, true, true)},

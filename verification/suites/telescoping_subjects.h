@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "estimators/telescoping.h"
+#include "estimators/debiasing/telescoping.h"
 #include "verification/mean.h"
 
 namespace plumb {

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "analytic/enumeration.h"
-#include "estimators/control_variate.h"
-#include "estimators/density.h"
-#include "estimators/importance_estimators.h"
-#include "estimators/importance_sampling.h"
+#include "estimators/mis/control_variate.h"
+#include "estimators/densities/density.h"
+#include "estimators/mis/importance_estimators.h"
+#include "estimators/mis/importance_sampling.h"
 #include "verification/deterministic.h"
 #include "verification/mean.h"
 #include "verification/ratio.h"
@@ -195,7 +195,7 @@ void add_importance(Catalogue& catalogue) {
     catalogue.add({
         .id = "importance/linear/error-bar",
         .statement = "The squared standard error of importance sampling is on average its variance.",
-        .source = "ours, estimators/importance_sampling.h",
+        .source = "ours, estimators/mis/importance_sampling.h",
         .kind = Kind::mean,
         .check = [](const Run& run) { return importance_error_bar(1, run); },
         .mutants = {{"variance-over-n", "The sum of squares is divided by n = 3, not by n − 1.",
@@ -233,7 +233,7 @@ void add_control_variates(Catalogue& catalogue) {
         .id = "control-variate/fitted/expectation",
         .statement = "With the coefficient fitted on other folds the expectation over every outcome is that of f, for "
                      "every n.",
-        .source = "ours, estimators/control_variate.h",
+        .source = "ours, estimators/mis/control_variate.h",
         .kind = Kind::exact,
         .check = [](const Run&) { return fitted_enumerated(cross_fitted<Rational>); },
         .mutants = {{"same-samples", "The coefficient is fitted on the samples that it is applied to.",
@@ -242,7 +242,7 @@ void add_control_variates(Catalogue& catalogue) {
     catalogue.add({
         .id = "control-variate/fitted/mean",
         .statement = "The cross-fitted control variate is unbiased with 4 samples.",
-        .source = "ours, estimators/control_variate.h",
+        .source = "ours, estimators/mis/control_variate.h",
         .kind = Kind::mean,
         .check = [](const Run& run) { return fitted_mean(cross_fitted<double>, run); },
         .mutants = {{"same-samples", "The coefficient is fitted on the samples that it is applied to.",
@@ -252,7 +252,7 @@ void add_control_variates(Catalogue& catalogue) {
         .id = "control-variate/fitted/variance",
         .statement = "With 256 samples the cross-fitted control variate has the best coefficient's variance within "
                      "10 %.",
-        .source = "ours, estimators/control_variate.h",
+        .source = "ours, estimators/mis/control_variate.h",
         .kind = Kind::ratio,
         .check = [](const Run& run) { return fitted_variance(256, run); },
         .mutants = {{"samples-left-out", "Each estimate uses 200 of its 256 samples only.",

@@ -4,7 +4,7 @@
 #include "analytic/irradiance.h"
 #include "scenes/sensors/perspective.h"
 #include "scenes/sensors/thin_lens.h"
-#include "scenes/warps.h"
+#include "estimators/densities/warps.h"
 #include "verification/distribution.h"
 #include "verification/mean.h"
 #include "verification/suites/rendering/jacobian.h"

@@ -2,7 +2,7 @@
 // disks, with and without something in between, and form factors of whole plates.
 
 #include "analytic/irradiance.h"
-#include "scenes/warps.h"
+#include "estimators/densities/warps.h"
 #include "verification/mean.h"
 #include "verification/suites/rendering/direct_subjects.h"
 #include "verification/suites/suites.h"

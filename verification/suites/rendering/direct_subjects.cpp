@@ -1,7 +1,7 @@
 #include "verification/suites/rendering/direct_subjects.h"
 
-#include "estimators/point_set_samples.h"
-#include "estimators/zero_two.h"
+#include "estimators/points/point_set_samples.h"
+#include "estimators/points/zero_two.h"
 
 namespace plumb {
 

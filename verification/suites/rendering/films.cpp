@@ -4,9 +4,9 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "estimators/stratified.h"
+#include "estimators/points/stratified.h"
 #include "scenes/filters.h"
-#include "scenes/warps.h"
+#include "estimators/densities/warps.h"
 #include "verification/deterministic.h"
 #include "verification/mean.h"
 #include "verification/suites/suites.h"

@@ -2,9 +2,9 @@
 // stays fixed, so the light's two dimensions are all there is.
 
 #include "analytic/irradiance.h"
-#include "estimators/mean_over.h"
-#include "estimators/stratified.h"
-#include "estimators/zero_two.h"
+#include "estimators/points/mean_over.h"
+#include "estimators/points/stratified.h"
+#include "estimators/points/zero_two.h"
 #include "scenes/emitters/rectangle_light.h"
 #include "verification/rate.h"
 #include "verification/suites/suites.h"

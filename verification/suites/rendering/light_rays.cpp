@@ -1,7 +1,7 @@
 // Rays that emitters send: their densities are 1/Jacobian of origin and direction and are known again from the ray,
 // their weights are radiance over density, on average the power, and they light a receiver as emitter samples do.
 
-#include "scenes/warps.h"
+#include "estimators/densities/warps.h"
 #include "verification/mean.h"
 #include "verification/suites/rendering/jacobian.h"
 #include "verification/suites/rendering/light_subjects.h"

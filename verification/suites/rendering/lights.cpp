@@ -2,7 +2,7 @@
 // same story as the sample, the density integrates to 1 over all directions, the flux through a closed surface is the
 // power.
 
-#include "scenes/warps.h"
+#include "estimators/densities/warps.h"
 #include "verification/distribution.h"
 #include "verification/mean.h"
 #include "verification/suites/rendering/jacobian.h"

@@ -3,7 +3,7 @@
 // I at the centre, E = I/R² everywhere, is E ρ^(k−1)/π for k ≥ 2 edges.
 
 #include "integrators/render.h"
-#include "scenes/warps.h"
+#include "estimators/densities/warps.h"
 #include "verification/deterministic.h"
 #include "verification/mean.h"
 #include "verification/suites/rendering/transport_subjects.h"

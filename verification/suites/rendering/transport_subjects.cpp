@@ -2,8 +2,8 @@
 
 #include <numbers>
 
-#include "estimators/point_set_samples.h"
-#include "estimators/zero_two.h"
+#include "estimators/points/point_set_samples.h"
+#include "estimators/points/zero_two.h"
 #include "integrators/splatting.h"
 
 namespace plumb {

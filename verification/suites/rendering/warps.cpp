@@ -1,7 +1,7 @@
 // Maps from the unit square to shapes: the density stated is 1/Jacobian, and the inverse undoes the map and makes
 // samples uniform again.
 
-#include "scenes/warps.h"
+#include "estimators/densities/warps.h"
 
 #include "verification/distribution.h"
 #include "verification/suites/rendering/jacobian.h"
@@ -61,7 +61,7 @@ std::vector<WarpCase> warp_cases() {
              return Vec3{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
          },
          "θ is uniform: sin θ is missing."},
-        {"uniform-cone", "the uniform cone", "ours, scenes/warps.h",
+        {"uniform-cone", "the uniform cone", "ours, estimators/densities/warps.h",
          [](const Point<2>& u) { return sample_uniform_cone(u, cone); },
          [](Vec3 d) { return uniform_cone_pdf(d, cone); }, [](Vec3 d) { return invert_uniform_cone(d, cone); },
          [](Vec3) { return 1 / (pi * cone * (2 - cone)); }, "The density on the projected disk, 1/(π sin²).",
@@ -122,7 +122,7 @@ void add_warp_claims(Catalogue& catalogue) {
                        .mutants = {{"another-pdf", warp.pdf_defect, jacobian(warp.wrong_pdf)}}});
         catalogue.add({.id = "warp/" + warp.name + "/inverse",
                        .statement = "The inverse of " + warp.title + " gives back u.",
-                       .source = "ours, scenes/warps.h",
+                       .source = "ours, estimators/densities/warps.h",
                        .kind = Kind::bounded,
                        .check = [warp](const Run&) { return inverse_undoes(warp.sample, warp); },
                        .mutants = {{"another-sampler", warp.sample_defect,

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/estimate.h"
+#include "estimators/replicates/batches.h"
+
+namespace plumb {
+
+/// Independent runs of one method with n samples each, in order.
+struct Runs {
+    std::uint64_t n = 0;
+    std::vector<Estimate> estimates;
+    double seconds = 0;  ///< mean per run, a side record
+};
+
+/// `count` runs on the threads that for_batches may use. Run r draws from the stream (seed, purpose and n, r): sets of
+/// runs with another purpose or n are independent.
+Runs independent_runs(const IndependentRun& run, std::uint64_t n, std::uint64_t count, std::uint64_t seed,
+                      std::string_view purpose);
+
+/// The mean of the runs, the standard error of that mean from their spread, all evaluations. The error is infinite,
+/// that is unknown, for fewer than two runs and when all gave the same value: no spread seen says nothing.
+Estimate mean_of(const Runs& runs);
+
+/// Whether the runs' skewness is too large for a 95 % interval of value ± 2 errors to mean what it says: |skewness| z³
+/// / (3 √R) > 1, the guard that mean claims have (docs/statistics.md, "Heavy tails"). An integrand of infinite variance
+/// shows itself so, mostly; tails that no run met show nowhere.
+bool skewed(const Runs& runs);
+
+/// How large the standard error may be: absolute, or relative to the value.
+struct ErrorTarget {
+    double error = 0;
+    bool relative = false;
+
+    [[nodiscard]] double absolute(double value) const;
+    [[nodiscard]] bool met_by(const Estimate& estimate) const {
+        return estimate.standard_error <= absolute(estimate.value);
+    }
+};
+
+/// The sample counts that were looked at on the way to a target, the last one chosen.
+struct Search {
+    std::vector<Runs> looks;
+    bool met = false;  ///< false: max_evaluations would have been exceeded first
+};
+
+/// Doubles n from 16 until the standard error of `replicates` runs that are not skewed is at most 2/3 of the target, or
+/// until another doubling and an answer of its size would need more than max_evaluations in all. The looks decide n and
+/// so know too little about their own error: the smallest of many noisy errors stops the search. Report fresh runs at
+/// the chosen n: their mean is as unbiased as the method, their error as honest as for an n fixed beforehand; 2/3
+/// leaves room for it to meet the target too (for normal runs and 32 replicates a fresh variance is 2.25 times that of
+/// a look with probability 1.4 %).
+Search search_sample_count(const IndependentRun& run, const ErrorTarget& target, std::uint64_t replicates,
+                           std::uint64_t max_evaluations, std::uint64_t seed);
+
+}  // namespace plumb
