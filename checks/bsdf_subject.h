@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "scenes/bsdf_model.h"
+#include "scenes/bsdfs/bsdf_model.h"
 
 namespace plumb::checks {
 
@@ -15,7 +15,7 @@ struct BsdfSubject {
     std::function<double(Vec3 wo)> discrete;
 };
 
-// The conventions of scenes/bsdf_model.h; the transport argument may be left out by a model without transmission,
+// The conventions of scenes/bsdfs/bsdf_model.h; the transport argument may be left out by a model without transmission,
 // discrete by any.
 template <class Model>
 concept EvaluatesByTransport = requires(const Model& model, Vec3 wo, Vec3 wi, Transport transport) {

@@ -52,7 +52,7 @@ std::ostream& operator<<(std::ostream& out, const NamedVerdict& named);  ///< "p
 /// values are refuted, the others are not tried, and are undecided.
 std::vector<NamedVerdict> check_bsdf(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
 
-/// The same for any type with eval, pdf and sample under the conventions of scenes/bsdf_model.h. A true model is
+/// The same for any type with eval, pdf and sample under the conventions of scenes/bsdfs/bsdf_model.h. A true model is
 /// refuted with probability at most run.alpha().
 template <class Model>
 requires(!std::same_as<Model, BsdfSubject>) std::vector<NamedVerdict> check_bsdf(

@@ -9,8 +9,8 @@
 #include "core/image.h"
 #include "integrators/provenance.h"
 #include "reports/known_values.h"
-#include "scenes/known_radiances.h"
-#include "scenes/shipped.h"
+#include "scenes/shipped/known_radiances.h"
+#include "scenes/shipped/shipped.h"
 
 namespace plumb {
 namespace {

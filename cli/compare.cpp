@@ -8,7 +8,7 @@
 #include "integrators/scene_identity.h"
 #include "reports/comparison.h"
 #include "reports/text.h"
-#include "scenes/shipped.h"
+#include "scenes/shipped/shipped.h"
 
 namespace plumb {
 namespace {

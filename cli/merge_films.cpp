@@ -3,7 +3,7 @@
 #include "cli/commands.h"
 #include "cli/picture_file.h"
 #include "core/file.h"
-#include "scenes/film_part.h"
+#include "scenes/film/film_part.h"
 
 namespace plumb {
 

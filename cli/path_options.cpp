@@ -1,8 +1,8 @@
 #include "cli/path_options.h"
 
 #include "integrators/sampler.h"
-#include "scenes/mitsuba_xml.h"
-#include "scenes/shipped.h"
+#include "scenes/mitsuba/mitsuba_xml.h"
+#include "scenes/shipped/shipped.h"
 
 namespace plumb {
 

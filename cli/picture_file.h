@@ -4,7 +4,7 @@
 #include <map>
 
 #include "reports/results.h"
-#include "scenes/film.h"
+#include "scenes/film/film.h"
 
 namespace plumb {
 

@@ -8,8 +8,8 @@
 #include "integrators/reference_cache.h"
 #include "integrators/render_until.h"
 #include "integrators/scene_identity.h"
-#include "scenes/mitsuba_xml.h"
-#include "scenes/shipped.h"
+#include "scenes/mitsuba/mitsuba_xml.h"
+#include "scenes/shipped/shipped.h"
 
 namespace plumb {
 

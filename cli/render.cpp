@@ -10,8 +10,8 @@
 #include "core/parallel.h"
 #include "integrators/render_until.h"
 #include "integrators/scene_identity.h"
-#include "scenes/film_part.h"
-#include "scenes/shipped.h"
+#include "scenes/film/film_part.h"
+#include "scenes/shipped/shipped.h"
 
 namespace plumb {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "scenes/bsdf.h"
+#include "scenes/bsdfs/bsdf.h"
 #include "scenes/scene.h"
 
 namespace plumb {

@@ -2,8 +2,8 @@
 #include "cli/commands.h"
 #include "estimators/estimator.h"
 #include "integrators/integrators.h"
-#include "scenes/plugins.h"
-#include "scenes/shipped.h"
+#include "scenes/mitsuba/plugins.h"
+#include "scenes/shipped/shipped.h"
 
 namespace plumb {
 namespace {

@@ -7,9 +7,9 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "integrators/integrators.h"
-#include "scenes/exact_sum.h"
-#include "scenes/mitsuba_xml.h"
-#include "scenes/shipped.h"
+#include "scenes/film/exact_sum.h"
+#include "scenes/mitsuba/mitsuba_xml.h"
+#include "scenes/shipped/shipped.h"
 
 namespace plumb {
 namespace {

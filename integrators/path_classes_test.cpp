@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "scenes/mitsuba_xml.h"
-#include "scenes/shipped.h"
+#include "scenes/mitsuba/mitsuba_xml.h"
+#include "scenes/shipped/shipped.h"
 
 namespace plumb {
 namespace {

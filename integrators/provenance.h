@@ -8,7 +8,7 @@
 #include "core/image.h"
 #include "integrators/path.h"
 #include "integrators/path_estimator.h"
-#include "scenes/film_error.h"
+#include "scenes/film/film_error.h"
 
 namespace plumb {
 

@@ -6,7 +6,7 @@
 
 #include "integrators/integrators.h"
 #include "integrators/sampler.h"
-#include "scenes/mitsuba_xml.h"
+#include "scenes/mitsuba/mitsuba_xml.h"
 
 namespace plumb {
 namespace {

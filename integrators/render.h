@@ -4,7 +4,7 @@
 #include <string>
 
 #include "integrators/path_estimator.h"
-#include "scenes/film.h"
+#include "scenes/film/film.h"
 
 namespace plumb {
 

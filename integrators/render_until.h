@@ -4,7 +4,7 @@
 
 #include "estimators/replicates/integration.h"
 #include "integrators/render.h"
-#include "scenes/film_error.h"
+#include "scenes/film/film_error.h"
 
 namespace plumb {
 

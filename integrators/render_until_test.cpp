@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "integrators/integrators.h"
-#include "scenes/mitsuba_xml.h"
-#include "scenes/shipped.h"
+#include "scenes/mitsuba/mitsuba_xml.h"
+#include "scenes/shipped/shipped.h"
 
 namespace plumb {
 namespace {

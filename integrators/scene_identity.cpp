@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/version.h"
-#include "scenes/shipped.h"
+#include "scenes/shipped/shipped.h"
 
 namespace plumb {
 

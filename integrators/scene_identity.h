@@ -3,7 +3,7 @@
 #include <string>
 
 #include "integrators/provenance.h"
-#include "scenes/mitsuba_xml.h"
+#include "scenes/mitsuba/mitsuba_xml.h"
 
 namespace plumb {
 

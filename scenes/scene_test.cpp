@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "scenes/emitters/sphere_light.h"
-#include "scenes/mitsuba_xml.h"
-#include "scenes/shipped.h"
+#include "scenes/mitsuba/mitsuba_xml.h"
+#include "scenes/shipped/shipped.h"
 #include "estimators/densities/warps.h"
 
 namespace plumb {

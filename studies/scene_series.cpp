@@ -13,8 +13,8 @@
 #include "integrators/region_estimate.h"
 #include "integrators/sampler.h"
 #include "integrators/scene_identity.h"
-#include "scenes/mitsuba_xml.h"
-#include "scenes/shipped.h"
+#include "scenes/mitsuba/mitsuba_xml.h"
+#include "scenes/shipped/shipped.h"
 #include "verification/convergence.h"
 #include "verification/picture.h"
 

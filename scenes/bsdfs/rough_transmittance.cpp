@@ -1,6 +1,6 @@
 #include "scenes/bsdfs/rough_transmittance.h"
 
-#include "scenes/bsdf_model.h"
+#include "scenes/bsdfs/bsdf_model.h"
 #include "scenes/bsdfs/fresnel.h"
 
 namespace plumb {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scenes/bsdf_model.h"
+#include "scenes/bsdfs/bsdf_model.h"
 #include "scenes/bsdfs/microfacet.h"
 
 namespace plumb {

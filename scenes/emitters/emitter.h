@@ -7,9 +7,9 @@
 #include "core/point.h"
 #include "core/spectrum.h"
 #include "core/vec3.h"
-#include "scenes/ball.h"
-#include "scenes/bsdf_model.h"
-#include "scenes/surface_point.h"
+#include "scenes/geometry/ball.h"
+#include "scenes/bsdfs/bsdf_model.h"
+#include "scenes/geometry/surface_point.h"
 
 namespace plumb {
 

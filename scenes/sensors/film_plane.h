@@ -4,6 +4,7 @@
 
 #include "core/point.h"
 #include "core/vec3.h"
+#include "scenes/film/film_size.h"
 
 namespace plumb {
 
@@ -19,10 +20,6 @@ CameraPose look_at(Vec3 origin, Vec3 target, Vec3 up);
 
 /// Which extent of the film spans the field of view.
 enum class FovAxis { x, y, diagonal, smaller, larger };
-
-struct FilmSize {
-    int width, height;  ///< pixels
-};
 
 /// The film as a window in the plane one unit ahead of a lens: film points, in pixels, against directions.
 class FilmPlane {

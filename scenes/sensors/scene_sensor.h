@@ -2,11 +2,11 @@
 
 #include <variant>
 
-#include "scenes/description.h"
-#include "scenes/filters.h"
+#include "scenes/description/description.h"
+#include "scenes/film/filters.h"
 #include "scenes/sensors/perspective.h"
 #include "scenes/sensors/thin_lens.h"
-#include "scenes/surface_point.h"
+#include "scenes/geometry/surface_point.h"
 
 namespace plumb {
 

@@ -5,8 +5,8 @@
 
 #include "core/point.h"
 #include "core/vec3.h"
-#include "scenes/bsdf_model.h"
-#include "scenes/ray.h"
+#include "scenes/bsdfs/bsdf_model.h"
+#include "scenes/geometry/ray.h"
 
 namespace plumb {
 

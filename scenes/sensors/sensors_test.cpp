@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "core/error.h"
-#include "scenes/filters.h"
+#include "scenes/film/filters.h"
 #include "scenes/sensors/perspective.h"
 #include "scenes/sensors/thin_lens.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <numbers>
 
-#include "scenes/bsdf.h"
+#include "scenes/bsdfs/bsdf.h"
 #include "scenes/bsdfs/fresnel.h"
 #include "verification/suites/rendering/bsdf_defects.h"
 #include "verification/suites/suites.h"
@@ -246,7 +246,7 @@ std::vector<Model> models() {
         {"roughplastic-beckmann", "A rough plastic of Beckmann facets with a white base",
          "Mitsuba's roughplastic; ours, scenes/bsdfs/roughplastic.h", shaped(rough_plastics, beckmann), all_properties,
          defects_of_mixtures(1.01)},
-        {"twosided", "A two-sided diffuse surface", "ours, scenes/bsdf.h",
+        {"twosided", "A two-sided diffuse surface", "ours, scenes/bsdfs/bsdf.h",
          one(Bsdf{Diffuse{Spectrum::grey(1)}, true}, {1, 1, true}), all_properties,
          with(common_defects(1.003),
               {{"sample", "not-turned-back", "A direction chosen below is returned above.", not_turned_back}})},

@@ -1,8 +1,8 @@
 // The radiances that are known in the shipped scenes, of paths of one and two edges, found by the renderer.
 
-#include "scenes/known_radiances.h"
-#include "scenes/mitsuba_xml.h"
-#include "scenes/shipped.h"
+#include "scenes/shipped/known_radiances.h"
+#include "scenes/mitsuba/mitsuba_xml.h"
+#include "scenes/shipped/shipped.h"
 #include "verification/mean.h"
 #include "verification/suites/rendering/direct_subjects.h"
 #include "verification/suites/suites.h"
@@ -104,7 +104,7 @@ void add_direct_known_claims(Catalogue& catalogue) {
         catalogue.add({.id = fmt::format("direct/{}/known", shipped.name),
                        .statement = fmt::format("Direct light in the scene {} is {} {} that its expected.json knows.",
                                                 shipped.name, count, count == 1 ? "radiance" : "radiances"),
-                       .source = fmt::format("scenes/{}/expected.json", shipped.name),
+                       .source = fmt::format("scenes/shipped/{}/expected.json", shipped.name),
                        .kind = Kind::mean,
                        .check = check(std::make_shared<Direct>()),
                        .mutants = std::move(mutants)});

@@ -5,9 +5,9 @@
 #include "integrators/aov.h"
 #include "integrators/render.h"
 #include "integrators/sampler.h"
-#include "scenes/mitsuba_xml.h"
-#include "scenes/shipped.h"
-#include "scenes/texture.h"
+#include "scenes/mitsuba/mitsuba_xml.h"
+#include "scenes/shipped/shipped.h"
+#include "scenes/bsdfs/texture.h"
 #include "verification/deterministic.h"
 #include "verification/suites/rendering/direct_subjects.h"
 #include "verification/suites/suites.h"
@@ -95,7 +95,7 @@ void add_values(Catalogue& catalogue) {
             {.id = fmt::format("direct/{}/sound", shipped.name),
              .statement = fmt::format(
                  "No NaN, infinite or negative radiance, albedo or depth in pictures of the scene {}.", shipped.name),
-             .source = "ours, scenes/film.h",
+             .source = "ours, scenes/film/film.h",
              .kind = Kind::exact,
              .check = check({std::make_shared<Direct>(), std::make_shared<Direct>(LightTechniques::emitters),
                              std::make_shared<Direct>(LightTechniques::bsdf), std::make_shared<Aov>()}),
@@ -271,7 +271,7 @@ void add_constant(Catalogue& catalogue) {
         Claim claim{
             .id = fmt::format("direct/constant/{}", name),
             .statement = fmt::format("A white sphere under a white sky gives a picture of ones, film filter {}.", name),
-            .source = "ours, scenes/filters.h",
+            .source = "ours, scenes/film/filters.h",
             .kind = Kind::bounded,
             .check = [=](const Run& run) { return picture_is_one(kind, direct, run); },
             .mutants = {{"two-thousandths-bright", "Everything is 0.2 % too bright.", [=](const Run& run) {

@@ -1,8 +1,8 @@
 // Samples of emitters, of BSDFs, and of both find the same light where no closed form is known: glossy, textured and
 // masked surfaces, several lights, environments.
 
-#include "scenes/mitsuba_xml.h"
-#include "scenes/shipped.h"
+#include "scenes/mitsuba/mitsuba_xml.h"
+#include "scenes/shipped/shipped.h"
 #include "verification/mean.h"
 #include "verification/suites/rendering/direct_subjects.h"
 #include "verification/suites/suites.h"

@@ -1,6 +1,6 @@
 // Shadow rays of the renderer: an end that lies on a light does not hide the light, and masks let through their share.
 
-#include "scenes/surface_point.h"
+#include "scenes/geometry/surface_point.h"
 #include "verification/deterministic.h"
 #include "verification/mean.h"
 #include "verification/suites/rendering/direct_subjects.h"
@@ -88,7 +88,7 @@ void add_ends(Catalogue& catalogue) {
                        .statement = "No sample of a " + kind +
                                     " light in full sight is hidden, by the light itself or by the floor, up to 2^12 "
                                     "sizes from the world's origin.",
-                       .source = "ours, scenes/surface_point.h",
+                       .source = "ours, scenes/geometry/surface_point.h",
                        .kind = Kind::exact,
                        .check = check([](const SurfacePoint& point) { return point; }),
                        .mutants = std::move(mutants)});

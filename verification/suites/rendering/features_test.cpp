@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
-#include "scenes/plugins.h"
-#include "scenes/shipped.h"
-#include "scenes/xml_tree.h"
+#include "scenes/mitsuba/plugins.h"
+#include "scenes/shipped/shipped.h"
+#include "scenes/mitsuba/xml_tree.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

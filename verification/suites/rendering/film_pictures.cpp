@@ -130,7 +130,7 @@ void add_variance(Catalogue& catalogue, const std::string& integrator, const std
                    .statement = fmt::format("The variance layer of `{}` with {} samples agrees with the spread of "
                                             "pictures.",
                                             integrator, sampler),
-                   .source = "ours, scenes/film.h",
+                   .source = "ours, scenes/film/film.h",
                    .kind = Kind::mean,
                    .check = check(pixels),
                    .mutants = {mutant}});
@@ -241,7 +241,7 @@ void add_film_picture_claims(Catalogue& catalogue) {
     catalogue.add(
         {.id = "film/sums/halves",
          .statement = "10^9 samples of 0.5 average to 0.5.",
-         .source = "ours, scenes/exact_sum.h",
+         .source = "ours, scenes/film/exact_sum.h",
          .kind = Kind::bounded,
          .check = [](const Run& run) { return is_half(film_of_halves, run); },
          .mutants = {{"float", "Sums in float.", [](const Run& run) { return is_half(floats_of_halves, run); }}}});

@@ -1,11 +1,11 @@
 // The film: sums that do not depend on order, error bars from replicates, filters as densities.
 
-#include "scenes/film.h"
+#include "scenes/film/film.h"
 
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "estimators/points/stratified.h"
-#include "scenes/filters.h"
+#include "scenes/film/filters.h"
 #include "estimators/densities/warps.h"
 #include "verification/deterministic.h"
 #include "verification/mean.h"
@@ -176,7 +176,7 @@ void add_filter(Catalogue& catalogue, const FilterCase& filter) {
     catalogue.add(
         {.id = id + "/density",
          .statement = "The " + filter.name + " filter is the density of its samples and integrates to 1.",
-         .source = "ours, scenes/filters.h",
+         .source = "ours, scenes/film/filters.h",
          .kind = Kind::bounded,
          .check = [=](const Run&) { return filter_is_density(filter.filter, pdf, sample); },
          .mutants = {{"not-normalised", "1 at the centre instead of integral 1, and a tenth more for the box.",
@@ -220,13 +220,13 @@ void add_film_claims(Catalogue& catalogue) {
     catalogue.add(
         {.id = "film/sums/order",
          .statement = "A pixel has the same bits whatever the order of its samples and their partition.",
-         .source = "ours, scenes/exact_sum.h",
+         .source = "ours, scenes/film/exact_sum.h",
          .kind = Kind::exact,
          .check = [](const Run& run) { return order_is_nothing(film_sum, run); },
          .mutants = {{"double", "Sums in double.", [](const Run& run) { return order_is_nothing(double_sum, run); }}}});
     catalogue.add({.id = "film/variance/replicates",
                    .statement = "The film's variance of the mean is unbiased for stratified samples.",
-                   .source = "ours, scenes/film.h",
+                   .source = "ours, scenes/film/film.h",
                    .kind = Kind::mean,
                    .check = [](const Run& run) { return variance_is_true(film_variance, run); },
                    .mutants = {{"from-samples", "Taken from squares of single samples.",

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "scenes/embree_scene.h"
+#include "scenes/geometry/embree_scene.h"
 #include "verification/deterministic.h"
 #include "verification/suites/suites.h"
 
@@ -302,7 +302,7 @@ Ray near_end_not_lifted(const SurfacePoint& from, const SurfacePoint& to) {
 }  // namespace
 
 void add_surface_claims(Catalogue& catalogue) {
-    const std::string source = "ours, scenes/surface_point.h";
+    const std::string source = "ours, scenes/geometry/surface_point.h";
     struct Subject {
         std::string id, name;
         Closed surface;

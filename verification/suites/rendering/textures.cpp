@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "scenes/scene.h"
-#include "scenes/texture.h"
+#include "scenes/bsdfs/texture.h"
 #include "verification/deterministic.h"
 #include "verification/suites/suites.h"
 
@@ -129,7 +129,7 @@ void add_texture_claims(Catalogue& catalogue) {
         {.id = "texture/bitmap/lookup",
          .statement = "Between its texels' centers, which lie at ((i + 1/2)/width, (j + 1/2)/height), a picture of a "
                       "bilinear function is that function, and repeats with period 1.",
-         .source = "ours, scenes/texture.h",
+         .source = "ours, scenes/bsdfs/texture.h",
          .kind = Kind::bounded,
          .check = is_saddle(looked_up),
          .mutants = {

@@ -6,8 +6,8 @@
 #include "integrators/camera_path.h"
 #include "integrators/path.h"
 #include "integrators/sampler.h"
-#include "scenes/mitsuba_xml.h"
-#include "scenes/shipped.h"
+#include "scenes/mitsuba/mitsuba_xml.h"
+#include "scenes/shipped/shipped.h"
 #include "verification/deterministic.h"
 #include "verification/mean.h"
 #include "verification/suites/rendering/direct_subjects.h"
@@ -126,14 +126,14 @@ void add_furnace(Catalogue& catalogue) {
                        .statement = fmt::format("In a closed box of albedo ½ that shines everywhere, paths of at most "
                                                 "{} edges see 1 + ½ + … = {}.",
                                                 edges, truth),
-                       .source = "geometric series; scenes/furnace_box/expected.json",
+                       .source = "geometric series; scenes/shipped/furnace_box/expected.json",
                        .kind = Kind::mean,
                        .check = check(paths({.max_edges = edges}), truth),
                        .mutants = std::move(mutants)});
     }
     catalogue.add({.id = "render/path/furnace",
                    .statement = "In a closed box of albedo ½ that shines everywhere, L = Le/(1 − ρ) = 2.",
-                   .source = "geometric series; scenes/furnace_box/expected.json",
+                   .source = "geometric series; scenes/shipped/furnace_box/expected.json",
                    .kind = Kind::mean,
                    .check = check(paths(), 2),
                    .mutants = {{"ends-at-8", "Paths end behind 6 edges.", check(paths({.max_edges = 6}), 2)},

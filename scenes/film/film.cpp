@@ -1,0 +1,194 @@
+#include "scenes/film/film.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "core/error.h"
+
+namespace plumb {
+
+namespace {
+
+std::size_t channels_of(const std::vector<FilmLayer>& layers) {
+    std::size_t count = 0;
+    for (const FilmLayer& layer : layers) {
+        if (layer.channels.empty() || layer.channels.size() > 4)
+            throw Error(
+                fmt::format("film layer '{}' has {} channels; accepted are 1 to 4", layer.name, layer.channels.size()));
+        count += layer.channels.size();
+    }
+    if (count == 0) throw Error("film without a layer: at least one is needed");
+    return count;
+}
+
+std::size_t area(FilmSize size) {
+    if (size.width < 1 || size.height < 1)
+        throw Error(fmt::format("film of {} x {} pixels: both must be at least 1", size.width, size.height));
+    return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+}
+
+template <class A, class B>
+void require_same_shape(const A& a, const B& b) {
+    if (a.width != b.width || a.height != b.height)
+        throw Error(
+            fmt::format("films of {} x {} and {} x {} pixels cannot be joined", a.width, a.height, b.width, b.height));
+}
+
+void require_same_channels(std::size_t a, std::size_t b) {
+    if (a != b) throw Error(fmt::format("films of {} and {} channels cannot be joined", a, b));
+}
+
+template <class Sums>
+void merge_all(Sums& sums, const Sums& others) {
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i].merge(others[i]);
+}
+
+}  // namespace
+
+void BadValues::merge(const BadValues& other) {
+    nan += other.nan;
+    infinite += other.infinite;
+    negative += other.negative;
+}
+
+FilmPass::FilmPass(FilmSize size, std::vector<FilmLayer> layers)
+    : size_(size),
+      layers_(std::move(layers)),
+      channels_(channels_of(layers_)),
+      sums_(area(size) * channels_),
+      samples_(area(size)) {}
+
+std::size_t FilmPass::pixel(int x, int y) const {
+    if (x < 0 || y < 0 || x >= size_.width || y >= size_.height)
+        throw Error(fmt::format("pixel ({}, {}) of a film of {} x {}", x, y, size_.width, size_.height));
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(x);
+}
+
+void FilmPass::add(int x, int y, std::span<const Spectrum> values) {
+    if (values.size() != layers_.size())
+        throw Error(fmt::format("{} values for a film of {} layers", values.size(), layers_.size()));
+    const std::size_t place = pixel(x, y);
+    ++samples_[place];
+    ExactSum* sum = &sums_[place * channels_];
+    for (std::size_t i = 0; i < layers_.size(); sum += layers_[i++].channels.size()) add_to(sum, layers_[i], values[i]);
+}
+
+void FilmPass::splat(int x, int y, const Spectrum& value) {
+    add_to(&sums_[pixel(x, y) * channels_], layers_[0], value);
+}
+
+void FilmPass::add_to(ExactSum* sums, const FilmLayer& layer, const Spectrum& value) {
+    for (std::size_t c = 0; c < layer.channels.size(); ++c) {
+        if (std::isnan(value[c])) ++bad_.nan;
+        if (layer.non_negative && value[c] < 0) ++bad_.negative;
+        if (ExactSum::accepts(value[c]))
+            sums[c].add(value[c]);
+        else if (!std::isnan(value[c]))
+            ++bad_.infinite;
+    }
+}
+
+void FilmPass::merge(const FilmPass& other) {
+    require_same_shape(size_, other.size_);
+    require_same_channels(channels_, other.channels_);
+    merge_all(sums_, other.sums_);
+    for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i] += other.samples_[i];
+    bad_.merge(other.bad_);
+}
+
+void FilmPass::merge_at(int x, int y, const FilmPass& part) {
+    require_same_channels(channels_, part.channels_);
+    for (int j = 0; j < part.size_.height; ++j)
+        for (int i = 0; i < part.size_.width; ++i) {
+            const std::size_t to = pixel(x + i, y + j), from = part.pixel(i, j);
+            samples_[to] += part.samples_[from];
+            for (std::size_t c = 0; c < channels_; ++c)
+                sums_[to * channels_ + c].merge(part.sums_[from * channels_ + c]);
+        }
+    bad_.merge(part.bad_);
+}
+
+double FilmPass::mean(int x, int y, std::size_t channel) const {
+    const std::size_t place = pixel(x, y);
+    return samples_[place] == 0 ? 0 : sums_[place * channels_ + channel].value() / static_cast<double>(samples_[place]);
+}
+
+Film::Film(FilmSize size, std::vector<FilmLayer> layers)
+    : size_(size),
+      layers_(std::move(layers)),
+      channels_(channels_of(layers_)),
+      sums_(area(size) * channels_),
+      squares_(area(size) * channels_),
+      samples_(area(size)) {}
+
+std::size_t Film::at(int x, int y, std::size_t channel) const {
+    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(x)) *
+               channels_ +
+           channel;
+}
+
+void Film::add(const FilmPass& pass) {
+    require_same_shape(size_, pass.size());
+    require_same_channels(channels_, pass.channels());
+    for (int y = 0; y < size_.height; ++y)
+        for (int x = 0; x < size_.width; ++x) {
+            samples_[at(x, y, 0) / channels_] += pass.samples(x, y);
+            for (std::size_t c = 0; c < channels_; ++c) {
+                const double mean = pass.mean(x, y, c);
+                sums_[at(x, y, c)].add(mean);
+                squares_[at(x, y, c)].add(mean * mean);
+            }
+        }
+    ++replicates_;
+    bad_.merge(pass.bad_values());
+}
+
+void Film::merge(const Film& other) {
+    require_same_shape(size_, other.size_);
+    require_same_channels(channels_, other.channels_);
+    merge_all(sums_, other.sums_);
+    merge_all(squares_, other.squares_);
+    for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i] += other.samples_[i];
+    replicates_ += other.replicates_;
+    bad_.merge(other.bad_);
+}
+
+std::uint64_t Film::samples(int x, int y) const {
+    return samples_[at(x, y, 0) / channels_];
+}
+
+double Film::mean(int x, int y, std::size_t channel) const {
+    return replicates_ == 0 ? 0 : sums_[at(x, y, channel)].value() / static_cast<double>(replicates_);
+}
+
+double Film::variance_of_mean(int x, int y, std::size_t channel) const {
+    if (replicates_ < 2) return std::numeric_limits<double>::infinity();
+    const double n = static_cast<double>(replicates_), m = mean(x, y, channel);
+    const double square = squares_[at(x, y, channel)].value() / n, centred = square - m * m;
+    // What rounding leaves of a constant is no variance: of each square when it was added, and of both terms here.
+    const double rounding = ExactSumOfSquares::resolution + 4 * std::numeric_limits<double>::epsilon() * square;
+    return centred > rounding ? centred / (n - 1) : 0;
+}
+
+Image Film::image() const {
+    Image image{size_.width, size_.height, {}, {}};
+    const std::size_t first = layers_[0].channels.size();
+    for (const std::string& channel : layers_[0].channels) image.channels.push_back(channel);
+    for (const std::string& channel : layers_[0].channels) image.channels.push_back("variance." + channel);
+    image.channels.emplace_back("samples");
+    for (std::size_t i = 1; i < layers_.size(); ++i)
+        for (const std::string& channel : layers_[i].channels)
+            image.channels.push_back(layers_[i].name + "." + channel);
+    for (int y = 0; y < size_.height; ++y)
+        for (int x = 0; x < size_.width; ++x) {
+            const auto put = [&](double value) { image.values.push_back(static_cast<float>(value)); };
+            for (std::size_t c = 0; c < first; ++c) put(mean(x, y, c));
+            for (std::size_t c = 0; c < first; ++c) put(variance_of_mean(x, y, c));
+            put(static_cast<double>(samples(x, y)));
+            for (std::size_t c = first; c < channels_; ++c) put(mean(x, y, c));
+        }
+    return image;
+}
+
+}  // namespace plumb

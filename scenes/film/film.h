@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/image.h"
+#include "core/spectrum.h"
+#include "scenes/film/exact_sum.h"
+#include "scenes/film/film_size.h"
+
+namespace plumb {
+
+/// What a film records under one name: three channels, or one.
+struct FilmLayer {
+    std::string name;
+    std::vector<std::string> channels;  ///< e.g. R, G, B; X, Y, Z; Z
+    bool non_negative = true;           ///< then negative values are counted
+};
+
+/// Values that should not be. NaN and values that are infinite or not below 2^31 add nothing to a pixel; negative ones
+/// do add.
+struct BadValues {
+    std::uint64_t nan = 0, infinite = 0, negative = 0;
+    void merge(const BadValues& other);
+    friend bool operator==(const BadValues&, const BadValues&) = default;
+};
+
+/// One replicate of an image: sums over its samples, which do not depend on their order.
+class FilmPass {
+public:
+    FilmPass(FilmSize size, std::vector<FilmLayer> layers);
+
+    /// One sample of a pixel: the layers' values in their order, as many lanes of each as it has channels.
+    void add(int x, int y, std::span<const Spectrum> values);
+    /// Light that the path of another pixel's sample brings to this one: adds to the sum of the first layer, already
+    /// divided by the paths that bring some a sample.
+    void splat(int x, int y, const Spectrum& value);
+    /// Samples that other threads or shards took for the same replicate.
+    void merge(const FilmPass& other);
+    /// A part of the image, its upper left corner at pixel (x, y).
+    void merge_at(int x, int y, const FilmPass& part);
+
+    [[nodiscard]] std::uint64_t samples(int x, int y) const { return samples_[pixel(x, y)]; }
+    [[nodiscard]] double mean(int x, int y, std::size_t channel) const;
+    [[nodiscard]] const BadValues& bad_values() const { return bad_; }
+    [[nodiscard]] std::size_t channels() const { return channels_; }
+    [[nodiscard]] FilmSize size() const { return size_; }
+    [[nodiscard]] const std::vector<FilmLayer>& layers() const { return layers_; }
+
+private:
+    [[nodiscard]] std::size_t pixel(int x, int y) const;
+    void add_to(ExactSum* sums, const FilmLayer& layer, const Spectrum& value);
+
+    FilmSize size_;
+    std::vector<FilmLayer> layers_;
+    std::size_t channels_;
+    std::vector<ExactSum> sums_;  // pixel by pixel, channel by channel
+    std::vector<std::uint64_t> samples_;
+    BadValues bad_;
+};
+
+/// An image from independent replicates: the mean of their means, and its variance from their spread, which is right
+/// for stratified, quasi-random, splatted and Markov samples alike (squares of single samples are not). Replicates may
+/// come in any order, from any shard: the same bits.
+class Film {
+public:
+    Film(FilmSize size, std::vector<FilmLayer> layers);
+
+    /// A finished replicate. A pixel without samples in it counts as black there.
+    void add(const FilmPass& pass);
+    void merge(const Film& other);
+
+    [[nodiscard]] std::uint64_t replicates() const { return replicates_; }
+    [[nodiscard]] std::uint64_t samples(int x, int y) const;
+    [[nodiscard]] double mean(int x, int y, std::size_t channel) const;
+    /// Of the mean; infinite for fewer than two replicates.
+    [[nodiscard]] double variance_of_mean(int x, int y, std::size_t channel) const;
+    [[nodiscard]] const BadValues& bad_values() const { return bad_; }
+    [[nodiscard]] FilmSize size() const { return size_; }
+    [[nodiscard]] const std::vector<FilmLayer>& layers() const { return layers_; }
+
+    /// Channels R, G, B of the first layer, `variance.R` … of its mean, `samples`, then `layer.channel` of the others.
+    [[nodiscard]] Image image() const;
+
+private:
+    friend struct FilmBits;  // of film_part.cpp
+    [[nodiscard]] std::size_t at(int x, int y, std::size_t channel) const;
+
+    FilmSize size_;
+    std::vector<FilmLayer> layers_;
+    std::size_t channels_;
+    std::vector<ExactSum> sums_;
+    std::vector<ExactSumOfSquares> squares_;
+    std::vector<std::uint64_t> samples_;
+    std::uint64_t replicates_ = 0;
+    BadValues bad_;
+};
+
+}  // namespace plumb

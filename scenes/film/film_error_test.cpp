@@ -1,0 +1,65 @@
+#include "scenes/film/film_error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/random.h"
+
+namespace plumb {
+namespace {
+
+// The second layer has nothing to say.
+const std::vector<FilmLayer> layers{{"radiance", {"R", "G", "B"}}, {"depth", {"Z"}, false}};
+
+FilmPass pass_of(const std::vector<Spectrum>& pixels) {
+    FilmPass pass({static_cast<int>(pixels.size()), 1}, layers);
+    for (int x = 0; x < pass.size().width; ++x)
+        pass.add(x, 0, std::vector{pixels[static_cast<std::size_t>(x)], Spectrum::grey(100.0 * x)});
+    return pass;
+}
+
+TEST(FilmError, OfThreeReplicates) {
+    Film film({2, 1}, layers);
+    film.add(pass_of({Spectrum::rgb(2, 0, 5), Spectrum::grey(1)}));
+    EXPECT_EQ(error_of(film).rmse, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(error_of(film).relative, std::numeric_limits<double>::infinity());
+    film.add(pass_of({Spectrum::rgb(3, 3, 5), Spectrum::grey(1)}));
+    film.add(pass_of({Spectrum::rgb(4, 6, 5), Spectrum::grey(1)}));
+    // Spreads 1, 9, 0 and thrice 0, of means 3, 3, 5 and thrice 1.
+    const double v = 10.0 / 3, squares = 9 + 9 + 25 + 3;
+    EXPECT_NEAR(error_of(film).rmse, std::sqrt(v / 6), 1e-12);
+    EXPECT_NEAR(error_of(film).relative, std::sqrt(v / (squares - v)), 1e-12);
+}
+
+TEST(FilmError, WithoutNoiseOrWithoutAnythingElse) {
+    Film black({1, 1}, layers), noise({1, 1}, layers);
+    for (const double value : {-1.0, 1.0}) {
+        black.add(pass_of({Spectrum{}}));
+        noise.add(pass_of({Spectrum::grey(value)}));
+    }
+    EXPECT_EQ(error_of(black).relative, 0);
+    EXPECT_EQ(error_of(noise).relative, std::numeric_limits<double>::infinity());
+}
+
+/// A sample is twice its pixel's radiance with probability ½, else 0: n samples have the relative error 1/√n, whatever
+/// the radiances. 4096 pixels of 16 replicates tell the variance to √(2/15/4096·⟨L⁴⟩/⟨L²⟩²): 0.8 %, its root to 0.4 %.
+TEST(FilmError, IsTheClosedFormOfCoins) {
+    constexpr int side = 64, samples = 4, replicates = 16;
+    Film film({side, side}, layers);
+    RandomStream random(stream_id("coins"));
+    for (int r = 0; r < replicates; ++r) {
+        FilmPass pass({side, side}, layers);
+        for (int i = 0; i < side * side * samples; ++i) {
+            const int x = i % side, y = i / side % side;
+            const double radiance = 1 + x / 63.0;
+            pass.add(x, y, std::vector{Spectrum::grey(random.uniform() < 0.5 ? 0 : 2 * radiance), Spectrum{}});
+        }
+        film.add(pass);
+    }
+    EXPECT_NEAR(error_of(film).relative, 1 / std::sqrt(samples * replicates), 5 * 0.004 / 8);
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace plumb {
+
+struct FilmSize {
+    int width, height;  ///< pixels
+};
+
+}  // namespace plumb

@@ -1,0 +1,213 @@
+#include "scenes/geometry/embree_scene.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include "core/error.h"
+
+namespace plumb {
+
+using description::Disk;
+using description::Shape;
+using description::Sphere;
+
+namespace {
+
+struct ReleaseDevice {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct ReleaseScene {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+
+Ray widened(const RTCRay& ray) {
+    return {{ray.org_x, ray.org_y, ray.org_z}, {ray.dir_x, ray.dir_y, ray.dir_z}, ray.tfar};
+}
+
+RTCRay narrowed(const Ray& ray) {
+    RTCRay result{};
+    result.org_x = static_cast<float>(ray.origin.x);
+    result.org_y = static_cast<float>(ray.origin.y);
+    result.org_z = static_cast<float>(ray.origin.z);
+    result.dir_x = static_cast<float>(ray.direction.x);
+    result.dir_y = static_cast<float>(ray.direction.y);
+    result.dir_z = static_cast<float>(ray.direction.z);
+    result.tfar = static_cast<float>(ray.t_max);
+    result.mask = ~0u;
+    return result;
+}
+
+std::optional<double> intersect_analytic(const Shape& shape, const Ray& ray) {
+    if (const Sphere* sphere = std::get_if<Sphere>(&shape.geometry)) return intersect(*sphere, ray);
+    return intersect(std::get<Disk>(shape.geometry), ray);
+}
+
+// Embree calls these for a shape that is not a mesh; the user pointer is the Shape. We trace single rays only (N = 1).
+
+void bounds(const RTCBoundsFunctionArguments* args) {
+    const Shape& shape = *static_cast<const Shape*>(args->geometryUserPtr);
+    Vec3 center, reach;
+    if (const Sphere* sphere = std::get_if<Sphere>(&shape.geometry)) {
+        center = sphere->center;
+        reach = {sphere->radius, sphere->radius, sphere->radius};
+    } else {
+        const Disk& disk = std::get<Disk>(shape.geometry);
+        center = disk.center;
+        for (std::size_t i = 0; i < 3; ++i) reach[i] = std::hypot(disk.axis_x[i], disk.axis_y[i]);
+    }
+    const auto down = [](double x) { return std::nextafter(static_cast<float>(x), -HUGE_VALF); };
+    const auto up = [](double x) { return std::nextafter(static_cast<float>(x), HUGE_VALF); };
+    RTCBounds& box = *args->bounds_o;
+    box.lower_x = down(center.x - reach.x);
+    box.lower_y = down(center.y - reach.y);
+    box.lower_z = down(center.z - reach.z);
+    box.upper_x = up(center.x + reach.x);
+    box.upper_y = up(center.y + reach.y);
+    box.upper_z = up(center.z + reach.z);
+}
+
+void intersected(const RTCIntersectFunctionNArguments* args) {
+    if (args->valid[0] == 0) return;
+    auto& ray_hit = *reinterpret_cast<RTCRayHit*>(args->rayhit);
+    const auto t = intersect_analytic(*static_cast<const Shape*>(args->geometryUserPtr), widened(ray_hit.ray));
+    if (!t) return;
+    ray_hit.ray.tfar = static_cast<float>(*t);
+    ray_hit.hit.geomID = args->geomID;
+    ray_hit.hit.primID = args->primID;
+}
+
+void occluding(const RTCOccludedFunctionNArguments* args) {
+    if (args->valid[0] == 0) return;
+    auto& ray = *reinterpret_cast<RTCRay*>(args->ray);
+    if (intersect_analytic(*static_cast<const Shape*>(args->geometryUserPtr), widened(ray))) ray.tfar = -HUGE_VALF;
+}
+
+void check(const Mesh& mesh, const Shape& shape) {
+    const auto size = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const auto& triangle : mesh.triangles) {
+        for (const std::uint32_t vertex : triangle) {
+            if (vertex >= size)
+                throw shape.place.error(fmt::format("vertex index {}; there are {} vertices", vertex, size));
+        }
+    }
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        for (const float x : mesh.positions[i]) {
+            if (!std::isfinite(x)) throw shape.place.error(fmt::format("vertex {} has the coordinate {}", i, x));
+        }
+    }
+    if ((!mesh.normals.empty() && mesh.normals.size() != size) || (!mesh.uvs.empty() && mesh.uvs.size() != size)) {
+        throw shape.place.error(
+            fmt::format("{} normals and {} uvs for {} vertices", mesh.normals.size(), mesh.uvs.size(), size));
+    }
+}
+
+void fill(RTCGeometry geometry, const Mesh& mesh) {
+    void* const positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                    sizeof mesh.positions[0], mesh.positions.size());
+    void* const triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                    sizeof mesh.triangles[0], mesh.triangles.size());
+    if (!positions || !triangles) return;  // the error callback has been told
+    std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<std::array<float, 3>*>(positions));
+    std::copy(mesh.triangles.begin(), mesh.triangles.end(), static_cast<std::array<std::uint32_t, 3>*>(triangles));
+}
+
+}  // namespace
+
+struct EmbreeScene::State {
+    std::span<const Shape> shapes;
+    std::string error;
+    std::unique_ptr<RTCDeviceTy, ReleaseDevice> device;
+    std::unique_ptr<RTCSceneTy, ReleaseScene> scene;
+
+    void attach(std::uint32_t index) {
+        const Shape& shape = shapes[index];
+        const Mesh* const mesh = std::get_if<Mesh>(&shape.geometry);
+        if (mesh) check(*mesh, shape);
+        RTCGeometry geometry = rtcNewGeometry(device.get(), mesh ? RTC_GEOMETRY_TYPE_TRIANGLE : RTC_GEOMETRY_TYPE_USER);
+        if (mesh) {
+            fill(geometry, *mesh);
+        } else {
+            rtcSetGeometryUserPrimitiveCount(geometry, 1);
+            rtcSetGeometryUserData(geometry, const_cast<Shape*>(&shape));
+            rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
+            rtcSetGeometryIntersectFunction(geometry, intersected);
+            rtcSetGeometryOccludedFunction(geometry, occluding);
+        }
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometryByID(scene.get(), geometry, index);
+        rtcReleaseGeometry(geometry);
+    }
+};
+
+EmbreeScene::EmbreeScene(std::span<const Shape> shapes) : state_(std::make_unique<State>()) {
+    state_->shapes = shapes;
+    // Pinned: Embree's instruction sets differ in last bits.
+    state_->device.reset(rtcNewDevice("isa=avx2"));
+    if (!state_->device)
+        throw Error(fmt::format("Embree has no device (error {})", static_cast<int>(rtcGetDeviceError(nullptr))));
+    const auto report = [](void* state, RTCError, const char* message) { static_cast<State*>(state)->error = message; };
+    rtcSetDeviceErrorFunction(state_->device.get(), report, state_.get());
+    state_->scene.reset(rtcNewScene(state_->device.get()));
+    rtcSetSceneFlags(state_->scene.get(), RTC_SCENE_FLAG_ROBUST);
+    for (std::uint32_t i = 0; i < shapes.size(); ++i) state_->attach(i);
+    rtcCommitScene(state_->scene.get());
+    if (!state_->error.empty()) throw Error("Embree: " + state_->error);
+}
+
+EmbreeScene::~EmbreeScene() = default;
+EmbreeScene::EmbreeScene(EmbreeScene&&) noexcept = default;
+EmbreeScene& EmbreeScene::operator=(EmbreeScene&&) noexcept = default;
+
+std::optional<Hit> EmbreeScene::intersect(const Ray& ray) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRayHit found{};
+    found.ray = narrowed(ray);
+    found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(state_->scene.get(), &context, &found);
+    std::optional<Hit> hit;
+    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
+    const Shape& shape = state_->shapes[found.hit.geomID];
+    hit.emplace();
+    if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry)) {
+        set_mesh_hit(*hit, *mesh, found.hit.primID, found.hit.u, found.hit.v);
+        hit->t = found.ray.tfar;
+    } else {
+        const double t = intersect_analytic(shape, ray).value_or(found.ray.tfar);
+        const Sphere* sphere = std::get_if<Sphere>(&shape.geometry);
+        hit = sphere ? sphere_hit(*sphere, ray, t) : disk_hit(std::get<Disk>(shape.geometry), ray, t);
+    }
+    hit->shape = found.hit.geomID;
+    return hit;
+}
+
+std::uint64_t EmbreeScene::count_hits(std::span<const TracedRay> rays) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    std::uint64_t hits = 0;
+    for (const TracedRay& traced : rays) {
+        RTCRayHit found{};
+        found.ray = narrowed(traced.ray);
+        found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        if (traced.shadow)
+            rtcOccluded1(state_->scene.get(), &context, &found.ray);
+        else
+            rtcIntersect1(state_->scene.get(), &context, &found);
+        hits += traced.shadow ? found.ray.tfar < 0 : found.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    }
+    return hits;
+}
+
+bool EmbreeScene::occluded(const Ray& ray) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay found = narrowed(ray);
+    rtcOccluded1(state_->scene.get(), &context, &found);
+    return found.tfar < 0;
+}
+
+}  // namespace plumb

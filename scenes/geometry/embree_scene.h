@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "scenes/description/description.h"
+#include "scenes/geometry/shape_hit.h"
+
+namespace plumb {
+
+/// Visibility among shapes: triangles by Embree in robust mode, spheres and disks exactly in double for the given ray.
+/// Rays come from leave(), connect() or rounded_ray(), so that Embree sees the numbers that the hit is computed from.
+/// The adapter: no other file calls Embree. Threads may trace at the same time; the same ray gives the same bits.
+class EmbreeScene {
+public:
+    /// The shapes must outlive the scene. Throws Error for a mesh whose indices or coordinates are not its own.
+    explicit EmbreeScene(std::span<const description::Shape> shapes);
+    ~EmbreeScene();
+    EmbreeScene(EmbreeScene&&) noexcept;
+    EmbreeScene& operator=(EmbreeScene&&) noexcept;
+
+    [[nodiscard]] std::optional<Hit> intersect(const Ray& ray) const;
+    /// Whether anything lies on the open segment.
+    [[nodiscard]] bool occluded(const Ray& ray) const;
+
+    /// How many of the rays meet anything: Embree alone, with nothing made of its hits. What benchmarks compare with.
+    [[nodiscard]] std::uint64_t count_hits(std::span<const TracedRay> rays) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "scenes/description/description.h"
+#include "scenes/mitsuba/xml_tree.h"
+
+namespace plumb {
+
+struct LoadOptions {
+    Definitions definitions = {};  ///< values for $name, before the file's <default>
+    bool lenient = false;          ///< replace what we lack where a replacement exists, and list it in Scene::notes
+};
+
+/// A scene in Mitsuba's XML, of 0.5/0.6 (toWorld, intIOR) or 3 (to_world, int_ior); meshes are read, image files only
+/// named. docs/scenes.md says what is followed. Throws Error naming file, line and value.
+description::Scene load_mitsuba(const std::filesystem::path& file, const LoadOptions& options = {});
+
+}  // namespace plumb
