@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/image.h"
-#include "integrators/provenance.h"
+#include "integrators/references/provenance.h"
 #include "reports/known_values.h"
 #include "scenes/shipped/known_radiances.h"
 #include "scenes/shipped/shipped.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cli/options.h"
-#include "integrators/explanation.h"
+#include "integrators/drivers/explanation.h"
 
 namespace plumb {
 

@@ -2,7 +2,7 @@
 
 #include "cli/explanation.h"
 #include "cli/scene_names.h"
-#include "integrators/light_path.h"
+#include "integrators/paths/light_start.h"
 #include "reports/json_values.h"
 
 namespace plumb {

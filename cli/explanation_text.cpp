@@ -1,6 +1,6 @@
 #include "cli/explanation.h"
 #include "cli/scene_names.h"
-#include "integrators/light_path.h"
+#include "integrators/paths/light_start.h"
 #include "reports/text.h"
 
 namespace plumb {

@@ -1,6 +1,6 @@
 #include "cli/path_options.h"
 
-#include "integrators/sampler.h"
+#include "integrators/drivers/sampler.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
 

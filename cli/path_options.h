@@ -2,7 +2,7 @@
 
 #include "cli/options.h"
 #include "integrators/integrators.h"
-#include "integrators/render.h"
+#include "integrators/drivers/render.h"
 
 namespace plumb {
 

@@ -4,7 +4,7 @@
 
 #include "core/file.h"
 #include "core/srgb.h"
-#include "integrators/provenance.h"
+#include "integrators/references/provenance.h"
 #include "reports/json.h"
 
 namespace plumb {

@@ -8,8 +8,8 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/parallel.h"
-#include "integrators/render_until.h"
-#include "integrators/scene_identity.h"
+#include "integrators/drivers/render_until.h"
+#include "integrators/references/scene_identity.h"
 #include "scenes/film/film_part.h"
 #include "scenes/shipped/shipped.h"
 

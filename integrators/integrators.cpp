@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "integrators/aov.h"
-#include "integrators/direct.h"
-#include "integrators/one_length.h"
+#include "integrators/estimators/aov.h"
+#include "integrators/estimators/direct.h"
+#include "integrators/estimators/one_length.h"
 
 namespace plumb {
 
@@ -20,7 +20,7 @@ std::unique_ptr<PathEstimator> direct(const PathLimits&) {
 
 const std::vector<NamedIntegrator>& integrators() {
     static const std::vector<NamedIntegrator> all{
-        {"aov", "what is seen first: albedo, with normal and depth", "ours, integrators/aov.h",
+        {"aov", "what is seen first: albedo, with normal and depth", "ours, integrators/estimators/aov.h",
          [](const PathLimits&) -> std::unique_ptr<PathEstimator> { return std::make_unique<Aov>(); }},
         {"bdpt", "all light: subpaths from the sensor and from a light, connected in all ways", "Veach & Guibas 1994",
          [](const PathLimits& limits) -> std::unique_ptr<PathEstimator> { return std::make_unique<Bdpt>(limits); }},

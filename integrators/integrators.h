@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "integrators/bdpt.h"
-#include "integrators/light.h"
-#include "integrators/path.h"
+#include "integrators/estimators/bdpt.h"
+#include "integrators/estimators/light.h"
+#include "integrators/estimators/path.h"
 
 namespace plumb {
 

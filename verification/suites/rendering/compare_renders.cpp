@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "core/srgb.h"
-#include "integrators/light.h"
-#include "integrators/path.h"
-#include "integrators/render.h"
+#include "integrators/estimators/light.h"
+#include "integrators/estimators/path.h"
+#include "integrators/drivers/render.h"
 #include "verification/deterministic.h"
 #include "verification/suites/rendering/compare_subjects.h"
 #include "verification/suites/rendering/direct_subjects.h"

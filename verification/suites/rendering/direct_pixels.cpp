@@ -2,9 +2,9 @@
 // a constant scene constant.
 
 #include "core/parallel.h"
-#include "integrators/aov.h"
-#include "integrators/render.h"
-#include "integrators/sampler.h"
+#include "integrators/estimators/aov.h"
+#include "integrators/drivers/render.h"
+#include "integrators/drivers/sampler.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
 #include "scenes/bsdfs/texture.h"
@@ -135,7 +135,7 @@ void add_threads(Catalogue& catalogue) {
         };
         catalogue.add({.id = "direct/threads/" + sampler,
                        .statement = fmt::format("1 and 2 threads give the same bits with {} samples.", sampler),
-                       .source = "ours, integrators/render.h",
+                       .source = "ours, integrators/drivers/render.h",
                        .kind = Kind::exact,
                        .check = check([](int) { return 7; }),
                        .mutants = {{"seed-by-threads", "The seed depends on the number of threads.",

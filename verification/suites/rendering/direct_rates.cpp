@@ -4,7 +4,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "analytic/irradiance.h"
-#include "integrators/sampler.h"
+#include "integrators/drivers/sampler.h"
 #include "verification/rate.h"
 #include "verification/suites/rendering/direct_subjects.h"
 #include "verification/suites/suites.h"

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "core/random.h"
-#include "integrators/direct.h"
+#include "integrators/estimators/direct.h"
 
 namespace plumb {
 

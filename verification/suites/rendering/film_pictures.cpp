@@ -3,9 +3,9 @@
 
 #include "core/moments.h"
 #include "core/parallel.h"
-#include "integrators/render.h"
-#include "integrators/sampler.h"
-#include "integrators/splatting.h"
+#include "integrators/drivers/render.h"
+#include "integrators/drivers/sampler.h"
+#include "integrators/drivers/splatting.h"
 #include "verification/deterministic.h"
 #include "verification/mean.h"
 #include "verification/suites/rendering/transport_subjects.h"
@@ -191,7 +191,7 @@ void add_threads(Catalogue& catalogue, const std::string& integrator) {
     catalogue.add({.id = "film/threads/" + integrator,
                    .statement = "1 and 2 threads give the same bits of a picture onto which `" + integrator +
                                 "` splats from everywhere.",
-                   .source = "ours, integrators/render.cpp",
+                   .source = "ours, integrators/drivers/render.cpp",
                    .kind = Kind::exact,
                    .check = check(rendered_by<E>),
                    .mutants = {{"double", "Splats are added up in double.", check(sums_of_doubles<E>)}}});

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "integrators/path_classes.h"
+#include "integrators/references/path_classes.h"
 #include "verification/deterministic.h"
 #include "verification/suites/rendering/transport_subjects.h"
 #include "verification/suites/suites.h"
@@ -149,7 +149,7 @@ void add_transport_class_claims(Catalogue& catalogue) {
                    .statement =
                        "`path`, `light` and `bdpt` make the classes of paths that the predicate says, of those "
                        "in 0.1 % of paths; the search misses one that is made with a risk of about e^-60.",
-                   .source = "ours, integrators/path_classes.h",
+                   .source = "ours, integrators/references/path_classes.h",
                    .kind = Kind::exact,
                    .check = [](const Run& run) { return classes_are(predicted, run); },
                    .mutants = {{"lens-sees-mirrors", "`light` connects mirrors to the lens.",

@@ -2,7 +2,7 @@
 // bright as everything else: light of emission L_e after k − 1 reflections is L_e ρ^(k−1), that of a point of intensity
 // I at the centre, E = I/R² everywhere, is E ρ^(k−1)/π for k ≥ 2 edges.
 
-#include "integrators/render.h"
+#include "integrators/drivers/render.h"
 #include "estimators/densities/warps.h"
 #include "verification/deterministic.h"
 #include "verification/mean.h"
@@ -142,7 +142,7 @@ void add_light(Catalogue& catalogue) {
                 made<LightTracer>(), defects);
     catalogue.add({.id = "render/light/picture",
                    .statement = "A picture by light tracing shares its light paths among its pixels.",
-                   .source = "ours, integrators/render.cpp",
+                   .source = "ours, integrators/drivers/render.cpp",
                    .kind = Kind::mean,
                    .check = [](const Run& run) { return picture_is(made<LightTracer>(), run); },
                    .mutants = {{"unshared", "Splats are not divided by the number of light paths.",

@@ -3,9 +3,9 @@
 
 #include <numbers>
 
-#include "integrators/camera_path.h"
-#include "integrators/path.h"
-#include "integrators/sampler.h"
+#include "integrators/paths/vertex.h"
+#include "integrators/estimators/path.h"
+#include "integrators/drivers/sampler.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
 #include "verification/deterministic.h"
@@ -258,7 +258,7 @@ void add_direct(Catalogue& catalogue) {
     };
     catalogue.add({.id = "render/path/two-edges",
                    .statement = "From the same numbers, path tracing of at most two edges is direct illumination.",
-                   .source = "ours, integrators/path.cpp",
+                   .source = "ours, integrators/estimators/path.cpp",
                    .kind = Kind::bounded,
                    .check = check({.max_edges = 2}),
                    .mutants = {{"three-edges", "Depth counts one less.", check({.max_edges = 3})},

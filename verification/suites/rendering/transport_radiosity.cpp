@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "analytic/radiosity_cases.h"
-#include "integrators/path.h"
+#include "integrators/estimators/path.h"
 #include "verification/mean.h"
 #include "verification/suites/rendering/direct_subjects.h"
 #include "verification/suites/suites.h"

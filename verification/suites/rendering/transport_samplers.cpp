@@ -1,7 +1,7 @@
 // What stratified and Owen-scrambled samples gain `path`, at equal samples; the report plots the same at equal work and
 // seconds.
 
-#include "integrators/region_estimate.h"
+#include "integrators/drivers/region_estimate.h"
 #include "verification/convergence.h"
 #include "verification/ratio.h"
 #include "verification/suites/rendering/transport_subjects.h"

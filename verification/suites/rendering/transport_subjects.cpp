@@ -4,7 +4,7 @@
 
 #include "estimators/points/point_set_samples.h"
 #include "estimators/points/zero_two.h"
-#include "integrators/splatting.h"
+#include "integrators/drivers/splatting.h"
 
 namespace plumb {
 

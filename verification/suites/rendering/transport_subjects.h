@@ -1,8 +1,8 @@
 #pragma once
 
-#include "integrators/bdpt.h"
-#include "integrators/light.h"
-#include "integrators/path_classes.h"
+#include "integrators/estimators/bdpt.h"
+#include "integrators/estimators/light.h"
+#include "integrators/references/path_classes.h"
 #include "verification/suites/rendering/direct_subjects.h"
 
 namespace plumb {

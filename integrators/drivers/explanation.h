@@ -1,0 +1,30 @@
+#pragma once
+
+#include "integrators/paths/vertex.h"
+#include "integrators/drivers/render.h"
+#include "integrators/drivers/splatting.h"
+
+namespace plumb {
+
+/// How one sample of a render came about, and what it adds to the picture.
+struct Explanation {
+    PathKey key;
+    CameraStart start = {};
+    PathRecord record = {};
+    PathStory story = {};
+    Spectrum value = {};  ///< to its pixel: 1/spp of it to the mean
+    /// To the pixels of the crop that splats anywhere fall on, its own among them: of each the same 1/spp, shared among
+    /// all pixels' paths.
+    std::vector<SplatOnPixel> splatted = {};
+
+    [[nodiscard]] Spectrum sum() const;  ///< to all pixels
+    /// Of a splat that one strategy makes alone.
+    [[nodiscard]] std::optional<Strategy> strategy_of(std::size_t splat) const;
+};
+
+/// The sample of this pixel and index that render() takes with these settings, bit by bit. Throws Error for a pixel
+/// that is not in the crop, or an index that is not below the samples of a pixel.
+Explanation explain(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings, int x, int y,
+                    std::uint32_t sample);
+
+}  // namespace plumb

@@ -1,0 +1,52 @@
+#include "integrators/drivers/render_until.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "integrators/integrators.h"
+#include "scenes/mitsuba/mitsuba_xml.h"
+#include "scenes/shipped/shipped.h"
+
+namespace plumb {
+namespace {
+
+using testing::ElementsAre;
+
+class RenderUntil : public testing::Test {
+protected:
+    RenderedUntil until(const ErrorTarget& target, std::uint32_t most) {
+        looks.clear();
+        return render_until(scene, *estimator, settings, target, most,
+                            [&](std::uint64_t passes, const FilmError&) { looks.push_back(passes); });
+    }
+
+    Scene scene{load_mitsuba(scene_file("quad_light"))};
+    std::unique_ptr<PathEstimator> estimator = make_integrator("direct-emitters", {});
+    RenderSettings settings{.samples_per_pass = 1, .seed = 5, .crop = {40, 40, 16, 16}};
+    std::vector<std::uint64_t> looks;
+};
+
+TEST_F(RenderUntil, DoublesItsPassesAndIsThenTheSamePicture) {
+    const RenderedUntil done = until({1e-9, true}, 40);
+    EXPECT_FALSE(done.met);
+    EXPECT_THAT(looks, ElementsAre(16, 32, 40));
+    settings.passes = 40;
+    const Rendered at_once = render(scene, *estimator, settings);
+    EXPECT_EQ(done.rendered.film.image().values, at_once.film.image().values);
+    EXPECT_EQ(done.rendered.rays, at_once.rays);
+    EXPECT_EQ(done.error.relative, error_of(at_once.film).relative);
+}
+
+TEST_F(RenderUntil, EndsWhereTheErrorIsReached) {
+    const double first = until({1, true}, 1024).error.relative;
+    const RenderedUntil done = until({first / 3, true}, 1024);  // errors fall as 1/√passes: 16 times 9
+    EXPECT_TRUE(done.met);
+    EXPECT_THAT(looks, ElementsAre(16, 32, 64, 128, 256));
+    EXPECT_LE(done.error.relative, first / 3);
+    EXPECT_NEAR(done.error.relative, first / 4, 0.1 * first / 4);
+    EXPECT_EQ(until({done.error.rmse, false}, 1024).rendered.film.replicates(), 256u);
+}
+
+}  // namespace
+}  // namespace plumb

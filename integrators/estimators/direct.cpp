@@ -1,0 +1,35 @@
+#include "integrators/estimators/direct.h"
+
+#include "integrators/paths/vertex.h"
+
+namespace plumb {
+
+void trace_two_edges(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, PathRecord& record,
+                     const ReflectedLight& reflected) {
+    record.clear();
+    const CameraStart start = start_at_camera(scene, region, samples);
+    const auto vertex = trace_to_vertex(scene, start.ray, 1, samples, record);
+    const Spectrum seen = vertex ? scene.emitted(vertex->hit, vertex->wo) : scene.environment(start.ray);
+    if (record.story && !is_black(seen))
+        record.tell({.strategy = {0, 2},
+                     .light = seen,
+                     .source = vertex ? scene.light_of(vertex->hit) : scene.environment_light()});
+    record.splats.push_back({start.film, seen, 1});
+    if (!vertex) return;
+    record.vertices.push_back(*vertex);
+    record.splats.push_back({start.film, reflected(scene, *vertex, samples, record), 2});
+}
+
+void Direct::trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, PathRecord& record) const {
+    trace_two_edges(scene, region, samples, record,
+                    [this](const Scene& in, const PathVertex& vertex, PrimarySamples& numbers, PathRecord& rays) {
+                        Spectrum sum;
+                        if (used != LightTechniques::bsdf)
+                            sum += light_from_emitters(in, vertex, 1, used, next_event, numbers, rays);
+                        if (used != LightTechniques::emitters)
+                            sum += light_from_bsdf(in, vertex, 1, used, next_event, numbers, rays);
+                        return sum;
+                    });
+}
+
+}  // namespace plumb

@@ -1,0 +1,63 @@
+#include "integrators/estimators/light.h"
+
+namespace plumb {
+
+void LightTracer::trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
+                        PathRecord& record) const {
+    record.clear();
+    const CameraStart start = start_at_camera(scene, region, samples);
+    const auto seen = trace_to_vertex(scene, start.ray, 1, samples, record);
+    const Spectrum radiance = seen ? scene.emitted(seen->hit, seen->wo) : scene.environment(start.ray);
+    if (!is_black(radiance)) {
+        if (record.story)
+            record.tell({.strategy = {0, 2},
+                         .light = radiance,
+                         .source = seen ? scene.light_of(seen->hit) : scene.environment_light()});
+        record.splats.push_back({start.film, radiance, 1});
+    }
+    if (seen) record.vertices.push_back(*seen);
+    if (limits.allow(2)) trace_from_light(scene, samples, record);
+}
+
+void LightTracer::trace_from_light(const Scene& scene, PrimarySamples& samples, PathRecord& record) const {
+    const auto start = start_at_light(scene, samples, record);
+    if (!start) return;
+    Ray ray = start->ray;
+    Spectrum throughput = Spectrum::grey(1);
+    for (int edges = 1; edges < last_vertex && limits.allow(edges + 1); ++edges) {
+        const auto number = static_cast<std::uint16_t>(first_light_vertex + edges);
+        const auto vertex = trace_to_vertex(scene, ray, number, samples, record);
+        if (!vertex) return;
+        record.light_vertices.push_back(*vertex);
+        splat(scene, *vertex, start->light.ray.weight * throughput, edges + 1, samples, record);
+        const auto sample = sample_importance(*vertex, number, samples, correction, carries);
+        if (!sample) return;
+        throughput *= sample->weight;
+        tell_scattering(record, number, *sample, throughput);
+        if (is_black(throughput)) return;
+        if (edges + 1 > limits.roulette_edges) {
+            const double survives = survival(throughput, 1);
+            if (!survives_roulette(survives, number, samples, record)) return;
+            throughput = throughput / survives;
+        }
+        ray = leave(vertex->hit.point, sample->direction);
+    }
+}
+
+void LightTracer::splat(const Scene& scene, const PathVertex& vertex, const Spectrum& flux, int edges,
+                        PrimarySamples& samples, PathRecord& record) const {
+    if (!vertex.bsdf.smooth()) return;
+    const auto number = static_cast<std::uint16_t>(first_light_vertex + edges - 1);
+    const auto lens = sample_lens(scene, vertex.hit.point.position, number, samples, connection);
+    if (!lens) return;
+    const Spectrum f = eval_bsdf(vertex, lens->direction, Transport::importance);
+    if (is_black(f)) return;
+    const double arrives = transmittance_to(scene, vertex.hit.point, *lens, record.rays);
+    if (arrives == 0) return;
+    const double scale = correction(vertex, lens->direction) * arrives * lens->importance / lens->pdf;
+    const Spectrum value = flux * f * scale;
+    if (record.story) record.tell({.strategy = {edges, 1}, .light = value});
+    record.splats.push_back({lens->film, value, edges, true});
+}
+
+}  // namespace plumb

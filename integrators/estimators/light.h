@@ -1,0 +1,30 @@
+#pragma once
+
+#include "integrators/paths/light_start.h"
+#include "integrators/estimators/path.h"
+
+namespace plumb {
+
+/// Light tracing: paths from lights, each of whose vertices is connected to the lens, and falls wherever it is seen
+/// [Arvo 1986; Veach 1997, section 10.2.1]. What lights and the environment look like themselves, a camera ray of the
+/// region finds, and with it the layers of what is seen first.
+struct LightTracer final : PathEstimator {
+    PathLimits limits;
+    SensorConnection connection = connect_to_lens;
+    ShadingCorrection correction = shading_correction;
+    Survival survival = survive_by_throughput;
+    Transport carries = Transport::importance;
+
+    LightTracer() = default;
+    explicit LightTracer(const PathLimits& path_limits) : limits(path_limits) {}
+    void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
+               PathRecord& record) const override;
+
+private:
+    void trace_from_light(const Scene& scene, PrimarySamples& samples, PathRecord& record) const;
+    /// What the vertex sends to the lens, of each unit of flux that reaches it.
+    void splat(const Scene& scene, const PathVertex& vertex, const Spectrum& flux, int edges, PrimarySamples& samples,
+               PathRecord& record) const;
+};
+
+}  // namespace plumb

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "integrators/paths/limits.h"
+#include "integrators/paths/next_event.h"
+
+namespace plumb {
+
+/// A path on its way from the sensor: everything that its next step depends on.
+struct PathState {
+    Ray ray;               ///< towards the next vertex
+    Vec3 from, direction;  ///< where the ray was chosen, and its direction before it was rounded
+    Spectrum throughput = Spectrum::grey(1);
+    double pdf = 0;          ///< of the direction, per steradian; 0 where no emitter sample competes: at the sensor and
+                             ///< behind mirrors
+    double eta_squared = 1;  ///< of the medium over the sensor's, squared
+    std::uint16_t vertex = 1;  ///< the number of the next vertex, which is the edges up to it
+};
+
+/// Path tracing: next event estimation and BSDF samples with multiple importance sampling at each vertex
+/// [Kajiya 1986; Veach & Guibas 1995].
+struct PathTracer final : PathEstimator {
+    PathLimits limits;
+    NextEvent next_event = default_next_event();
+    Survival survival = survive_by_throughput;
+
+    PathTracer() = default;
+    explicit PathTracer(const PathLimits& path_limits) : limits(path_limits) {}
+    void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
+               PathRecord& record) const override;
+
+    /// One step: the ray is traced, light that it meets and light at the vertex are added to the record, and a new
+    /// direction is chosen. False where the path ends.
+    bool step(const Scene& scene, const Point<2>& film, PathState& state, PrimarySamples& samples,
+              PathRecord& record) const;
+
+private:
+    bool scatter(const PathVertex& vertex, PathState& state, PrimarySamples& samples, PathRecord& record) const;
+};
+
+}  // namespace plumb

@@ -1,0 +1,32 @@
+#include "integrators/paths/light_start.h"
+
+namespace plumb {
+
+std::optional<LightStart> start_at_light(const Scene& scene, PrimarySamples& samples, const PathRecord& record) {
+    const double u = samples.at({first_light_vertex, Use::light}).u[0];
+    const auto light = scene.sample_light_ray(u, samples.at({first_light_vertex, Use::light_point}).u,
+                                              samples.at({first_light_vertex, Use::direction}).u);
+    if (!light) return {};
+    if (record.story) record.story->light_ray = *light;
+    const EmittedRay& ray = light->ray;
+    return LightStart{*light,
+                      ray.surface ? leave(*ray.surface, ray.direction) : rounded_ray(ray.origin, ray.direction)};
+}
+
+std::optional<ScatterSample> sample_importance(const PathVertex& vertex, std::uint16_t number, PrimarySamples& samples,
+                                               ShadingCorrection correction, Transport carries) {
+    auto sample = sample_bsdf(vertex, number, samples, carries);
+    if (sample) sample->weight *= correction(vertex, sample->direction);
+    return sample;
+}
+
+std::optional<SensorSample> connect_to_lens(const Scene& scene, Vec3 from, const Point<2>& lens) {
+    return scene.sensor().connect(from, lens);
+}
+
+double transmittance_to(const Scene& scene, const SurfacePoint& from, const SensorSample& sensor, RayLog& rays) {
+    const EmitterSample end{.direction = sensor.direction, .distance = sensor.distance, .radiance = {}};
+    return scene.transmittance(from, end, rays);
+}
+
+}  // namespace plumb

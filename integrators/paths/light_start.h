@@ -1,0 +1,35 @@
+#pragma once
+
+#include "integrators/paths/vertex.h"
+#include "integrators/paths/shading_normal.h"
+
+namespace plumb {
+
+/// The slots of a light's subpath: the light is this vertex.
+constexpr std::uint16_t first_light_vertex = 0x8000;
+
+/// How a path that starts at a light begins: the light's ray, and as it enters the scene.
+struct LightStart {
+    SceneLightRay light;
+    Ray ray;
+};
+std::optional<LightStart> start_at_light(const Scene& scene, PrimarySamples& samples, const PathRecord& record);
+
+/// A direction that importance leaves a vertex of a light's subpath by: sample_bsdf with the correction in its weight.
+std::optional<ScatterSample> sample_importance(const PathVertex& vertex, std::uint16_t number, PrimarySamples& samples,
+                                               ShadingCorrection correction, Transport carries = Transport::importance);
+
+/// The lens (a pinhole is one) from a point of the scene; empty where it is not seen.
+using SensorConnection = std::optional<SensorSample> (*)(const Scene& scene, Vec3 from, const Point<2>& lens);
+std::optional<SensorSample> connect_to_lens(const Scene& scene, Vec3 from, const Point<2>& lens);
+
+/// Through a random point of the lens.
+inline std::optional<SensorSample> sample_lens(const Scene& scene, Vec3 from, std::uint16_t number,
+                                               PrimarySamples& samples, SensorConnection connect) {
+    const bool lens = scene.sensor().has_lens();
+    return connect(scene, from, lens ? Point<2>(samples.at({number, Use::lens}).u) : Point<2>{0.5, 0.5});
+}
+/// How much of what leaves a surface point for the lens arrives.
+double transmittance_to(const Scene& scene, const SurfacePoint& from, const SensorSample& sensor, RayLog& rays);
+
+}  // namespace plumb

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/primary_samples.h"
+#include "integrators/paths/path_story.h"
+
+namespace plumb {
+
+/// The pixels that a path is for: film points are drawn uniformly among them, then by the film's filter. A path's
+/// values estimate the mean of the pixels, but for splats that fall anywhere on the film.
+struct FilmRegion {
+    int x = 0, y = 0, width = 1, height = 1;
+};
+
+/// A point of a path on a surface, with what scatters there. Directions leave it, in the world.
+struct PathVertex {
+    Hit hit;
+    Vec3 wo;      ///< where the subpath comes from: towards the sensor, or the light
+    Frame frame;  ///< z is the shading normal
+    Bsdf bsdf;
+
+    [[nodiscard]] Vec3 to_local(Vec3 world) const { return frame.to_local(world); }
+    /// Whether both normals see w on one side.
+    [[nodiscard]] bool agree(Vec3 w) const { return dot(hit.point.normal, w) * dot(frame.z, w) > 0; }
+    /// Whether they do so for the direction towards the light, wi or wo. Where they do not, light would leak through
+    /// the surface that the shading normal pretends [Veach 1997, section 5.3]: nothing scatters there.
+    [[nodiscard]] bool lit(Vec3 wi, Transport transport) const {
+        return agree(transport == Transport::radiance ? wi : wo);
+    }
+};
+
+/// A contribution to the film: value = f w / p, of a path of so many edges (1: an emitter seen directly).
+struct Splat {
+    Point<2> film;
+    Spectrum value;
+    int edges;
+    /// For every pixel j whose filter reaches the film point, whatever the region: h_j(film) value estimates it. Who
+    /// traces n such paths takes 1/n of each.
+    bool anywhere = false;
+};
+
+/// What an estimator did for one sample. Reused from sample to sample, so that it allocates once.
+struct PathRecord {
+    std::vector<PathVertex> vertices;        ///< from the sensor on; the sensor itself is not among them
+    std::vector<PathVertex> light_vertices;  ///< from a light on, likewise
+    std::vector<Splat> splats;
+    RayLog rays;                 ///< counts on over samples
+    PathStory* story = nullptr;  ///< of the sample, where somebody listens
+
+    void clear() {
+        if (story) story->clear();
+        vertices.clear();
+        light_vertices.clear();
+        splats.clear();
+    }
+    /// Tells the story, which must be there, of light that is to be the next splat or a part of it.
+    void tell(const PathStory::Finding& finding) const { story->found(finding, splats.size()); }
+    /// Of the splats for the region.
+    [[nodiscard]] Spectrum sum() const {
+        Spectrum sum;
+        for (const Splat& splat : splats)
+            if (!splat.anywhere) sum += splat.value;
+        return sum;
+    }
+};
+
+/// Says what a path is; a driver decides which paths, in which passes. Random numbers come from the slots of
+/// PrimarySamples alone, so that any driver may guide, replay or mutate them.
+struct PathEstimator {
+    virtual ~PathEstimator() = default;
+    /// One path for the region: its vertices and splats replace those of the record.
+    virtual void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
+                       PathRecord& record) const = 0;
+};
+
+}  // namespace plumb

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "integrators/paths/light_start.h"
+#include "integrators/paths/limits.h"
+
+namespace plumb {
+
+// Subpaths from the sensor and from a light, and the densities that multiple importance sampling of their connections
+// asks for. Densities are per area of the vertex found; per steradian for the environment; of the next vertex of an
+// environment's, whose rays come from a disk, per area of that disk times the cosine. Those of the sensor count a film
+// that is sampled evenly, once for each light subpath: 1/pixels per pixel².
+
+/// A vertex of a subpath.
+struct SubpathVertex {
+    enum class Kind { sensor, surface, light, point_light, environment };
+
+    Kind kind;
+    SurfacePoint point;  ///< normals of lights on the shining side, 0 where there is none; the position of the
+                         ///< environment is the unit direction towards it
+    std::optional<std::size_t> light;  ///< that the vertex is a part of
+    std::optional<PathVertex> surface;
+    Spectrum throughput = Spectrum::grey(1);  ///< with which the subpath arrives
+    double pdf = 1;                           ///< with which its subpath found it
+    double pdf_back = 0;    ///< with which another would have, from the next vertex; known once there are two
+    bool discrete = false;  ///< a mirror, or a smooth interface, sent the subpath on
+
+    [[nodiscard]] Vec3 position() const { return point.position; }
+    [[nodiscard]] Vec3 normal() const { return point.normal; }
+    [[nodiscard]] Vec3 towards(const SubpathVertex& other) const;
+};
+using Subpath = std::vector<SubpathVertex>;
+
+/// dω → dA: of what leaves `from` with the density pdf, at `to`.
+double per_area(double pdf, const SubpathVertex& from, const SubpathVertex& to);
+using PerArea = double (*)(double pdf, const SubpathVertex& from, const SubpathVertex& to);
+
+/// 1/d²: with the cosines, which scattering has, dω → dA between two surfaces that see each other.
+inline double falloff(const SubpathVertex& x, const SubpathVertex& y) {
+    return 1 / length_squared(y.position() - x.position());
+}
+using Falloff = double (*)(const SubpathVertex& x, const SubpathVertex& y);
+
+/// How subpaths grow and meet: functions, so that a claim can put others in their place.
+struct SubpathRules {
+    PathLimits limits;
+    Survival survival = survive_by_throughput;
+    ShadingCorrection correction = shading_correction;
+    PerArea per_area = plumb::per_area;
+    Falloff falloff = plumb::falloff;
+    /// What a subpath from either end carries.
+    Transport from_camera = Transport::radiance, from_light = Transport::importance;
+};
+
+/// The density with which light or importance that reaches `at` from `before` goes on to `next`; `before` is null where
+/// a subpath begins: at the sensor, or at a vertex of a light.
+double density_onwards(const Scene& scene, const SubpathVertex* before, const SubpathVertex& at,
+                       const SubpathVertex& next, PerArea per_area);
+/// With which a light's subpath begins at the vertex, towards `next`: of its first vertex alone.
+double density_of_origin(const Scene& scene, const SubpathVertex& light, const SubpathVertex& next);
+/// With which a light is sampled from another vertex (Scene::sample_light).
+double density_of_choice(const Scene& scene, const SubpathVertex& light, const SubpathVertex& from, PerArea per_area);
+
+/// The sensor, surfaces, and the environment where the subpath leaves the scene.
+Subpath camera_subpath(const Scene& scene, const CameraStart& start, const SubpathRules& rules, PrimarySamples& samples,
+                       PathRecord& record);
+/// A vertex of a light, and surfaces. Empty without lights.
+Subpath light_subpath(const Scene& scene, const SubpathRules& rules, PrimarySamples& samples, PathRecord& record);
+
+SubpathVertex sensor_vertex(Vec3 position);
+/// Of a light that sample_light(from) found.
+SubpathVertex light_vertex(const Scene& scene, Vec3 from, const SceneLightSample& sample);
+
+}  // namespace plumb

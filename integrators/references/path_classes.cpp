@@ -1,0 +1,91 @@
+#include "integrators/references/path_classes.h"
+
+#include <algorithm>
+
+namespace plumb {
+
+namespace {
+
+using Source = PathClass::Source;
+
+// Which kinds of scattering a material has by itself; of two-sided ones and masks, the nested materials say it.
+struct Scatters {
+    bool smoothly = false, by_mirror = false;
+};
+Scatters scattering(const description::Diffuse&) {
+    return {true, false};
+}
+Scatters scattering(const description::Conductor& conductor) {
+    return {conductor.roughness.has_value(), !conductor.roughness};
+}
+Scatters scattering(const description::Dielectric& dielectric) {
+    return {dielectric.roughness.has_value(), !dielectric.roughness};
+}
+Scatters scattering(const description::Plastic& plastic) {
+    return {true, !plastic.roughness};
+}
+Scatters scattering(const description::TwoSided&) {
+    return {};
+}
+Scatters scattering(const description::Mask&) {
+    return {};
+}
+
+Source kind_of(const Light& light) {
+    if (is_environment(light)) return Source::environment;
+    return std::holds_alternative<PointLight>(light) ? Source::point : Source::surface;
+}
+
+}  // namespace
+
+std::string to_string(const PathClass& path) {
+    std::string name = "E";
+    for (const bool mirror : path.mirrors) name += mirror ? 'S' : 'D';
+    return name + (path.source == Source::surface ? 'L' : path.source == Source::point ? 'P' : 'V');
+}
+
+std::vector<PathClass> path_classes(const Scene& scene, int edges) {
+    Scatters some;
+    for (const description::Material& material : scene.description().materials) {
+        const Scatters one = std::visit([](const auto& kind) { return scattering(kind); }, material.kind);
+        some = {some.smoothly || one.smoothly, some.by_mirror || one.by_mirror};
+    }
+    std::vector<Source> sources;
+    for (const Light& light : scene.lights())
+        if (!std::ranges::count(sources, kind_of(light))) sources.push_back(kind_of(light));
+    std::vector<PathClass> classes;
+    for (unsigned bits = 0; bits < 1u << (edges - 1); ++bits) {
+        std::vector<bool> mirrors;
+        for (int i = 0; i < edges - 1; ++i) mirrors.push_back(bits >> i & 1);
+        if (!some.smoothly && std::ranges::count(mirrors, false)) continue;
+        if (!some.by_mirror && std::ranges::count(mirrors, true)) continue;
+        for (const Source source : sources) classes.push_back({mirrors, source});
+    }
+    return classes;
+}
+
+bool can_make(Transporter transporter, const PathClass& path) {
+    const bool met = path.source != Source::point;
+    if (path.mirrors.empty()) return met;
+    const bool sampled = !path.mirrors.back(), seen = !path.mirrors.front();
+    switch (transporter) {
+        case Transporter::path: return met || sampled;
+        case Transporter::light: return seen;
+        case Transporter::bdpt: {
+            const auto two = std::ranges::adjacent_find(path.mirrors, [](bool a, bool b) { return !a && !b; });
+            return met || sampled || seen || two != path.mirrors.end();
+        }
+    }
+    return false;
+}
+
+std::vector<PathClass> left_out(Transporter transporter, const Scene& scene, int most_edges) {
+    std::vector<PathClass> classes;
+    for (int edges = 1; edges <= most_edges; ++edges)
+        std::ranges::copy_if(path_classes(scene, edges), std::back_inserter(classes), [&](const PathClass& path) {
+            return can_make(Transporter::bdpt, path) && !can_make(transporter, path);
+        });
+    return classes;
+}
+
+}  // namespace plumb

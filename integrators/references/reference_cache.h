@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "integrators/references/provenance.h"
+
+namespace plumb {
+
+/// A picture that others are measured against.
+struct Reference {
+    std::filesystem::path file;
+    Image image;
+    Provenance provenance;
+};
+
+/// Where the reference of a scene by an integrator is kept: CACHE/SCENE-HASH-INTEGRATOR.exr, with -dD before the ending
+/// where paths end after D edges. A scene that changed has another hash, and so another file.
+std::filesystem::path reference_file(const std::filesystem::path& cache, const Provenance& wanted);
+
+/// What lies there; empty where nothing does, or not what the name says, or what another version of Plumb made.
+std::optional<Reference> find_reference(const std::filesystem::path& cache, const Provenance& wanted);
+
+/// Of a scene, that of paths of these lengths (empty: of any) by the integrator that makes most kinds of them: `bdpt`,
+/// `path`, then `direct`. Throws Error saying how to make one of what was asked for: a file, or a shipped name.
+Reference require_reference(const std::filesystem::path& cache, const Provenance& scene,
+                            std::optional<int> longest_path, const std::string& asked);
+
+}  // namespace plumb
