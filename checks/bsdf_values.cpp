@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "checks/check_bsdf.h"
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 
 namespace plumb::checks {
 namespace {

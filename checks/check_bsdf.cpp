@@ -7,8 +7,8 @@
 #include "checks/lobes.h"
 #include "checks/sphere_grid.h"
 #include "core/parallel.h"
-#include "verification/deterministic.h"
-#include "verification/distribution.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/distribution.h"
 
 namespace plumb::checks {
 namespace {

@@ -3,7 +3,7 @@
 #include "core/file.h"
 #include "reports/html.h"
 #include "reports/json.h"
-#include "verification/convergence.h"
+#include "verification/evidence/convergence.h"
 
 namespace plumb {
 namespace {

@@ -10,7 +10,7 @@
 #include "reports/html.h"
 #include "reports/json.h"
 #include "reports/text.h"
-#include "verification/image_convergence.h"
+#include "verification/pictures/image_convergence.h"
 
 namespace plumb {
 namespace {

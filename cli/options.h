@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "estimators/replicates/integration.h"
-#include "verification/image_comparison.h"
-#include "verification/known_values.h"
+#include "verification/pictures/image_comparison.h"
+#include "verification/pictures/known_values.h"
 #include "verification/runner.h"
 
 namespace plumb {

@@ -7,7 +7,7 @@
 #include "cli/cell_density.h"
 #include "core/error.h"
 #include "core/process.h"
-#include "verification/distribution.h"
+#include "verification/evidence/distribution.h"
 
 namespace plumb {
 namespace {

@@ -3,7 +3,7 @@
 #include "core/file.h"
 #include "core/parallel.h"
 #include "reports/text.h"
-#include "verification/cost_of_a_verdict.h"
+#include "verification/evidence/cost_of_a_verdict.h"
 
 namespace plumb {
 namespace {

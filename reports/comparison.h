@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/image_comparison.h"
+#include "verification/pictures/image_comparison.h"
 
 namespace plumb {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "reports/table.h"
-#include "verification/known_values.h"
+#include "verification/pictures/known_values.h"
 
 namespace plumb {
 

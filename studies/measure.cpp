@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 #include "studies/scene_series.h"
-#include "verification/convergence.h"
+#include "verification/evidence/convergence.h"
 
 namespace plumb {
 namespace {

@@ -15,8 +15,8 @@
 #include "integrators/references/scene_identity.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
-#include "verification/convergence.h"
-#include "verification/picture.h"
+#include "verification/evidence/convergence.h"
+#include "verification/pictures/picture.h"
 
 namespace plumb {
 namespace {

@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "core/error.h"
-#include "verification/deterministic.h"
-#include "verification/mean.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/mean.h"
 
 namespace plumb {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 #include "verification/gtest.h"
-#include "verification/mean.h"
+#include "verification/evidence/mean.h"
 
 namespace plumb {
 namespace {

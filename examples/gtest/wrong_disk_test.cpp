@@ -1,9 +1,9 @@
 // The mistake that everybody makes once: points crowd at the centre because the radius lacks its square root. Both
 // tests fail, and say what was found.
 
-#include "verification/distribution.h"
+#include "verification/evidence/distribution.h"
 #include "verification/gtest.h"
-#include "verification/mean.h"
+#include "verification/evidence/mean.h"
 
 double radius(plumb::RandomStream& random) {
     return random.uniform();

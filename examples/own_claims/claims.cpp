@@ -1,7 +1,7 @@
 // A program of your own: link plumb::main, register claims, and have `own_claims verify`, `list` and `report`.
 
 #include "cli/program.h"
-#include "verification/mean.h"
+#include "verification/evidence/mean.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // What a mean verdict costs, in samples, against the fixed-size design with the same risks.
 
-#include "verification/cost_of_a_verdict.h"
-#include "verification/mean.h"
+#include "verification/evidence/cost_of_a_verdict.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

@@ -7,7 +7,7 @@
 #include "analytic/integrand.h"
 #include "estimators/estimator.h"
 #include "estimators/replicates/replicates.h"
-#include "verification/mean.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

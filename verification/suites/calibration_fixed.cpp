@@ -3,10 +3,10 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 
-#include "verification/deterministic.h"
-#include "verification/distribution.h"
-#include "verification/distributions.h"
-#include "verification/mean.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/distribution.h"
+#include "verification/evidence/distributions.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/calibration_laws.h"
 #include "verification/suites/suites.h"
 

@@ -1,10 +1,10 @@
 // The distributions behind the verdicts against sums of positive terms in multi-precision (MPFR): other formulas than
-// the library's, so that an agreement means something. Published tables stand in verification/distributions_test.cpp.
+// the library's, so that an agreement means something. Published tables stand in verification/evidence/distributions_test.cpp.
 
-#include "verification/distributions.h"
+#include "verification/evidence/distributions.h"
 
 #include "analytic/real.h"
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

@@ -4,10 +4,10 @@
 #include <numeric>
 
 #include "core/moments.h"
-#include "verification/deterministic.h"
-#include "verification/distribution.h"
-#include "verification/distributions.h"
-#include "verification/mean.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/distribution.h"
+#include "verification/evidence/distributions.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

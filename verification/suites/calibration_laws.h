@@ -7,7 +7,7 @@
 
 #include "core/interval.h"
 #include "core/random.h"
-#include "verification/betting.h"
+#include "verification/evidence/betting.h"
 
 namespace plumb {
 

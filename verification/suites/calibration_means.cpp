@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "verification/deterministic.h"
-#include "verification/distributions.h"
-#include "verification/mean.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/distributions.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/calibration_laws.h"
 #include "verification/suites/suites.h"
 

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "verification/distribution.h"
-#include "verification/distributions.h"
-#include "verification/mean.h"
-#include "verification/rate.h"
-#include "verification/ratio.h"
+#include "verification/evidence/distribution.h"
+#include "verification/evidence/distributions.h"
+#include "verification/evidence/mean.h"
+#include "verification/evidence/rate.h"
+#include "verification/evidence/ratio.h"
 #include "verification/suites/calibration_laws.h"
 #include "verification/suites/suites.h"
 

@@ -2,7 +2,7 @@
 // limits.
 
 #include "analytic/enumeration.h"
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 #include "verification/suites/suites.h"
 #include "verification/suites/telescoping_subjects.h"
 

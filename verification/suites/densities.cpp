@@ -6,8 +6,8 @@
 
 #include "estimators/densities/density_2d.h"
 #include "estimators/densities/piecewise_constant.h"
-#include "verification/deterministic.h"
-#include "verification/distribution.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/distribution.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

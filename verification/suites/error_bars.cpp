@@ -6,7 +6,7 @@
 #include "estimators/points/point_set_estimators.h"
 #include "estimators/replicates/replicates.h"
 #include "estimators/points/stratified.h"
-#include "verification/mean.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

@@ -1,7 +1,7 @@
 // What telescoping is forecast to vary and to cost, against closed forms, measured variances and counted evaluations.
 
-#include "verification/deterministic.h"
-#include "verification/ratio.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/ratio.h"
 #include "verification/suites/suites.h"
 #include "verification/suites/telescoping_subjects.h"
 

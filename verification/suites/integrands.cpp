@@ -4,8 +4,8 @@
 
 #include "analytic/quadrature.h"
 #include "analytic/rational.h"
-#include "verification/deterministic.h"
-#include "verification/mean.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

@@ -6,9 +6,9 @@
 #include "analytic/rational.h"
 #include "estimators/densities/density.h"
 #include "estimators/mis/mis_estimators.h"
-#include "verification/deterministic.h"
-#include "verification/mean.h"
-#include "verification/ratio.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/mean.h"
+#include "verification/evidence/ratio.h"
 #include "verification/suites/mis_subjects.h"
 #include "verification/suites/suites.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "analytic/enumeration.h"
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 #include "verification/suites/mis_subjects.h"
 #include "verification/suites/suites.h"
 

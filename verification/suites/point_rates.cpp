@@ -12,7 +12,7 @@
 #include "estimators/points/sobol.h"
 #include "estimators/points/stratified.h"
 #include "estimators/points/zero_two.h"
-#include "verification/rate.h"
+#include "verification/evidence/rate.h"
 #include "verification/suites/defective_point_sets.h"
 #include "verification/suites/suites.h"
 

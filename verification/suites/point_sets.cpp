@@ -13,8 +13,8 @@
 #include "estimators/points/strata.h"
 #include "estimators/points/stratified.h"
 #include "estimators/points/zero_two.h"
-#include "verification/distribution.h"
-#include "verification/mean.h"
+#include "verification/evidence/distribution.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/defective_point_sets.h"
 #include "verification/suites/suites.h"
 

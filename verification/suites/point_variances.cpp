@@ -6,7 +6,7 @@
 #include "estimators/points/multi_jittered.h"
 #include "estimators/points/sobol.h"
 #include "estimators/points/stratified.h"
-#include "verification/ratio.h"
+#include "verification/evidence/ratio.h"
 #include "verification/suites/defective_point_sets.h"
 #include "verification/suites/suites.h"
 

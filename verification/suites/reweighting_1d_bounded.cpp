@@ -7,7 +7,7 @@
 #include "estimators/reweighting/cells_1d.h"
 #include "estimators/reweighting/reweighting_1d.h"
 #include "estimators/reweighting/samples_1d.h"
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 #include "verification/suites/reweighting_1d.h"
 
 namespace plumb {

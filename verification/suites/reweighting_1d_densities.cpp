@@ -10,7 +10,7 @@
 #include "estimators/reweighting/samples_1d.h"
 #include "estimators/reweighting/tent.h"
 #include "estimators/reweighting/warp.h"
-#include "verification/mean.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/reweighting_1d.h"
 #include "verification/suites/reweighting_1d_exponential.h"
 

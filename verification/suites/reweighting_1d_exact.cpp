@@ -1,5 +1,5 @@
 #include "analytic/ordered_samples.h"
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 #include "verification/suites/reweighting_1d.h"
 
 namespace plumb {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "verification/mean.h"
+#include "verification/evidence/mean.h"
 
 namespace plumb::reweighting_1d {
 

@@ -6,7 +6,7 @@
 #include "estimators/reweighting/reweighting_estimators_1d.h"
 #include "estimators/reweighting/samples_1d.h"
 #include "estimators/reweighting/tent.h"
-#include "verification/rate.h"
+#include "verification/evidence/rate.h"
 #include "verification/suites/reweighting_1d.h"
 
 namespace plumb {

@@ -8,7 +8,7 @@
 #include "estimators/voronoi/voronoi_2d.h"
 #include "estimators/voronoi/voronoi_brute_force.h"
 #include "estimators/voronoi/voronoi_hard_sets.h"
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 #include "verification/suites/reweighting_2d_subjects.h"
 
 namespace plumb {

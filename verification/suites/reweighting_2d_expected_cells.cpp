@@ -4,7 +4,7 @@
 #include "estimators/reweighting/reweighting_2d.h"
 #include "estimators/points/stratified.h"
 #include "estimators/voronoi/voronoi_2d.h"
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 #include "verification/suites/reweighting_2d_subjects.h"
 
 namespace plumb {

@@ -5,7 +5,7 @@
 #include "estimators/points/stratified.h"
 #include "estimators/reweighting/tent.h"
 #include "estimators/voronoi/voronoi_2d.h"
-#include "verification/rate.h"
+#include "verification/evidence/rate.h"
 #include "verification/suites/reweighting_2d_subjects.h"
 
 namespace plumb {

@@ -8,7 +8,7 @@
 #include "core/interval.h"
 #include "estimators/estimator.h"
 #include "verification/claim.h"
-#include "verification/mean.h"
+#include "verification/evidence/mean.h"
 
 // What the claims of reweighting in the unit square share. Biases of mutants were measured with 4·10^4 samples or more,
 // those that g predicts computed; delta lies at a half to a quarter of the smallest.

@@ -4,9 +4,9 @@
 
 #include "analytic/enumeration.h"
 #include "estimators/debiasing/russian_roulette.h"
-#include "verification/deterministic.h"
-#include "verification/mean.h"
-#include "verification/ratio.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/mean.h"
+#include "verification/evidence/ratio.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

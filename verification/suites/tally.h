@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 
 namespace plumb {
 

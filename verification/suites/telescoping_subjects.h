@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "estimators/debiasing/telescoping.h"
-#include "verification/mean.h"
+#include "verification/evidence/mean.h"
 
 namespace plumb {
 

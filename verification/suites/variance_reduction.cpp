@@ -8,9 +8,9 @@
 #include "estimators/densities/density.h"
 #include "estimators/mis/importance_estimators.h"
 #include "estimators/mis/importance_sampling.h"
-#include "verification/deterministic.h"
-#include "verification/mean.h"
-#include "verification/ratio.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/mean.h"
+#include "verification/evidence/ratio.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

@@ -5,7 +5,7 @@
 #include "analytic/real.h"
 #include "scenes/bsdfs/fresnel.h"
 #include "scenes/bsdfs/microfacet.h"
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

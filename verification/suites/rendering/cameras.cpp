@@ -5,8 +5,8 @@
 #include "scenes/sensors/perspective.h"
 #include "scenes/sensors/thin_lens.h"
 #include "estimators/densities/warps.h"
-#include "verification/distribution.h"
-#include "verification/mean.h"
+#include "verification/evidence/distribution.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/rendering/jacobian.h"
 #include "verification/suites/suites.h"
 

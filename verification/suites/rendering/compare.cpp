@@ -1,11 +1,11 @@
 // `plumb compare` on trial: honest renders, spoiled renders, and what it must leave undecided, without a renderer.
 
 #include "core/srgb.h"
-#include "verification/deterministic.h"
-#include "verification/mean.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/rendering/compare_subjects.h"
 #include "verification/suites/suites.h"
-#include "verification/synthetic_render.h"
+#include "verification/pictures/synthetic_render.h"
 
 namespace plumb {
 namespace {

@@ -6,7 +6,7 @@
 #include "integrators/estimators/light.h"
 #include "integrators/estimators/path.h"
 #include "integrators/drivers/render.h"
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 #include "verification/suites/rendering/compare_subjects.h"
 #include "verification/suites/rendering/direct_subjects.h"
 #include "verification/suites/suites.h"

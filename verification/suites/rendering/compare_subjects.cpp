@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/srgb.h"
-#include "verification/distributions.h"
+#include "verification/evidence/distributions.h"
 
 namespace plumb {
 

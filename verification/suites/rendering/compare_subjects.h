@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "verification/claim.h"
-#include "verification/image_comparison.h"
+#include "verification/pictures/image_comparison.h"
 
 namespace plumb {
 

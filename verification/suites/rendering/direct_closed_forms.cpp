@@ -3,7 +3,7 @@
 
 #include "analytic/irradiance.h"
 #include "estimators/densities/warps.h"
-#include "verification/mean.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/rendering/direct_subjects.h"
 #include "verification/suites/suites.h"
 

@@ -3,7 +3,7 @@
 #include "scenes/shipped/known_radiances.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
-#include "verification/mean.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/rendering/direct_subjects.h"
 #include "verification/suites/suites.h"
 

@@ -8,7 +8,7 @@
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
 #include "scenes/bsdfs/texture.h"
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 #include "verification/suites/rendering/direct_subjects.h"
 #include "verification/suites/suites.h"
 

@@ -5,7 +5,7 @@
 
 #include "analytic/irradiance.h"
 #include "integrators/drivers/sampler.h"
-#include "verification/rate.h"
+#include "verification/evidence/rate.h"
 #include "verification/suites/rendering/direct_subjects.h"
 #include "verification/suites/suites.h"
 

@@ -1,8 +1,8 @@
 // Shadow rays of the renderer: an end that lies on a light does not hide the light, and masks let through their share.
 
 #include "scenes/geometry/surface_point.h"
-#include "verification/deterministic.h"
-#include "verification/mean.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/rendering/direct_subjects.h"
 #include "verification/suites/suites.h"
 

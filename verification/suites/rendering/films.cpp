@@ -7,8 +7,8 @@
 #include "estimators/points/stratified.h"
 #include "scenes/film/filters.h"
 #include "estimators/densities/warps.h"
-#include "verification/deterministic.h"
-#include "verification/mean.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

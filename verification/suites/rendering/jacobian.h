@@ -7,7 +7,7 @@
 
 #include "core/point.h"
 #include "core/vec3.h"
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 
 namespace plumb {
 

@@ -10,9 +10,9 @@
 #include "scenes/emitters/rectangle_light.h"
 #include "scenes/emitters/sphere_light.h"
 #include "estimators/densities/warps.h"
-#include "verification/deterministic.h"
-#include "verification/distribution.h"
-#include "verification/mean.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/distribution.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

@@ -6,7 +6,7 @@
 #include "estimators/points/stratified.h"
 #include "estimators/points/zero_two.h"
 #include "scenes/emitters/rectangle_light.h"
-#include "verification/rate.h"
+#include "verification/evidence/rate.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

@@ -2,7 +2,7 @@
 // their weights are radiance over density, on average the power, and they light a receiver as emitter samples do.
 
 #include "estimators/densities/warps.h"
-#include "verification/mean.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/rendering/jacobian.h"
 #include "verification/suites/rendering/light_subjects.h"
 #include "verification/suites/suites.h"

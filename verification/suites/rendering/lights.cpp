@@ -3,8 +3,8 @@
 // power.
 
 #include "estimators/densities/warps.h"
-#include "verification/distribution.h"
-#include "verification/mean.h"
+#include "verification/evidence/distribution.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/rendering/jacobian.h"
 #include "verification/suites/rendering/light_subjects.h"
 #include "verification/suites/suites.h"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "scenes/geometry/embree_scene.h"
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

@@ -5,7 +5,7 @@
 
 #include "scenes/scene.h"
 #include "scenes/bsdfs/texture.h"
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

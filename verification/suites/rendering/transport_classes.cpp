@@ -5,7 +5,7 @@
 #include <set>
 
 #include "integrators/references/path_classes.h"
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 #include "verification/suites/rendering/transport_subjects.h"
 #include "verification/suites/suites.h"
 

@@ -4,8 +4,8 @@
 
 #include "integrators/drivers/render.h"
 #include "estimators/densities/warps.h"
-#include "verification/deterministic.h"
-#include "verification/mean.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/rendering/transport_subjects.h"
 #include "verification/suites/suites.h"
 

@@ -1,7 +1,7 @@
 // `path`, `light` and `bdpt` estimate the same pictures, but for classes of paths that one cannot make: scenes here
 // have none of them in sight.
 
-#include "verification/mean.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/rendering/transport_subjects.h"
 #include "verification/suites/suites.h"
 

@@ -8,8 +8,8 @@
 #include "integrators/drivers/sampler.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
-#include "verification/deterministic.h"
-#include "verification/mean.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/rendering/direct_subjects.h"
 #include "verification/suites/suites.h"
 

@@ -6,7 +6,7 @@
 
 #include "analytic/radiosity_cases.h"
 #include "integrators/estimators/path.h"
-#include "verification/mean.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/rendering/direct_subjects.h"
 #include "verification/suites/suites.h"
 

@@ -2,8 +2,8 @@
 // seconds.
 
 #include "integrators/drivers/region_estimate.h"
-#include "verification/convergence.h"
-#include "verification/ratio.h"
+#include "verification/evidence/convergence.h"
+#include "verification/evidence/ratio.h"
 #include "verification/suites/rendering/transport_subjects.h"
 #include "verification/suites/suites.h"
 

@@ -1,7 +1,7 @@
 // Weights of all strategies of bidirectional tracing, on paths that it made: they sum to 1, and are those that products
 // of densities give, recomputed from the positions of the path's vertices alone.
 
-#include "verification/deterministic.h"
+#include "verification/evidence/deterministic.h"
 #include "verification/suites/rendering/transport_subjects.h"
 #include "verification/suites/suites.h"
 

@@ -3,7 +3,7 @@
 
 #include "estimators/densities/warps.h"
 
-#include "verification/distribution.h"
+#include "verification/evidence/distribution.h"
 #include "verification/suites/rendering/jacobian.h"
 #include "verification/suites/suites.h"
 

@@ -1,0 +1,149 @@
+#include "verification/evidence/distribution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "verification/evidence/distributions.h"
+
+namespace plumb {
+namespace {
+
+constexpr double undecided_risk = 1e-5;
+constexpr std::uint64_t most_samples = std::uint64_t{1} << 32;
+
+int positive_cells(const DistributionClaim& claim) {
+    return static_cast<int>(std::ranges::count_if(claim.probabilities, [](double q) { return q > 0; }));
+}
+
+void check_setting(const DistributionClaim& claim) {
+    const double total = std::accumulate(claim.probabilities.begin(), claim.probabilities.end(), 0.0);
+    if (!(std::abs(total - 1) <= 1e-9))
+        throw std::logic_error(fmt::format("distribution_is: the probabilities sum to {:.17g}, not 1", total));
+    if (std::ranges::any_of(claim.probabilities, [](double q) { return !(q >= 0); }))
+        throw std::logic_error("distribution_is: a probability is negative or NaN");
+    if (positive_cells(claim) < 2) throw std::logic_error("distribution_is: fewer than two cells have probability");
+    if (!(claim.delta > 0)) throw std::logic_error("distribution_is: delta must be positive");
+}
+
+double rarest_cell(const DistributionClaim& claim) {
+    double rarest = 1;
+    for (const double q : claim.probabilities)
+        if (q > 0) rarest = std::min(rarest, q);
+    return rarest;
+}
+
+// A density error of delta may sit in one cell, whose count then varies as p and not as q: along the error the variance
+// is at most s² = 1 + delta/sqrt(q_min) times the noncentral chi-square's. A bound at s quantiles makes up for it;
+// where that tail is too small for the noncentral chi-square, one coordinate is as short as the whole vector or
+// shorter.
+double noncentrality_bound(double chi_square, const DistributionClaim& claim, double beta) {
+    const double z = std::sqrt(1 + claim.delta / std::sqrt(rarest_cell(claim))) * normal_upper_quantile(beta);
+    if (z > 6) return std::pow(std::sqrt(chi_square) + z, 2);
+    return noncentrality_upper_bound(chi_square, positive_cells(claim) - 1, normal_two_sided_tail(z) / 2);
+}
+
+}  // namespace
+
+// The upper tail of one rare cell is exp(z³/(6 sqrt(E))) times the normal one, the lower one its inverse: at
+// E = (z³/4)² their mean exceeds the level by 1.24, counted exactly for levels from 1e-8 to 1e-2.
+double least_expected_count(double alpha) {
+    return std::max(100.0, std::pow(normal_upper_quantile(alpha / 2), 6) / 16);
+}
+
+std::uint64_t distribution_samples(const DistributionClaim& claim, double alpha, double beta) {
+    const double freedom = positive_cells(claim) - 1;
+    const double unlucky = chi_square_upper_quantile(undecided_risk, freedom);
+    const double by_power = noncentrality_bound(unlucky, claim, beta) / (claim.delta * claim.delta);
+    const double by_count = least_expected_count(alpha) / rarest_cell(claim);
+    const double needed = std::ceil(std::max(by_power * (1 + 1e-6), by_count));
+    return static_cast<std::uint64_t>(std::min(needed, 0x1p63));
+}
+
+std::size_t equal_cell(double u, std::size_t cells) {
+    if (!(u >= 0 && u < 1)) return cells;  // outside: where the density is zero
+    return std::min(cells - 1, static_cast<std::size_t>(u * static_cast<double>(cells)));
+}
+
+Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const DistributionClaim& claim, double alpha,
+                           double beta, int degrees_of_freedom) {
+    const double n = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
+    const double freedom = degrees_of_freedom < 0 ? positive_cells(claim) - 1 : degrees_of_freedom;
+    Verdict verdict;
+    verdict.samples = static_cast<std::uint64_t>(n);
+    verdict.resolution = claim.delta;
+    double chi_square = 0, worst = 0;
+    std::size_t worst_cell = 0;
+    for (std::size_t cell = 0; cell < counts.size(); ++cell) {
+        const double q = cell < claim.probabilities.size() ? claim.probabilities[cell] : 0;
+        const double observed = static_cast<double>(counts[cell]);
+        if (q == 0 && observed > 0) {
+            verdict.outcome = Outcome::refuted;
+            verdict.p_value = 0;
+            verdict.reason = fmt::format("{} of {} samples fell into cell {}, where the density is zero", counts[cell],
+                                         verdict.samples, cell);
+            return verdict;
+        }
+        if (q == 0) continue;
+        const double z = (observed - n * q) / std::sqrt(n * q);
+        chi_square += z * z;
+        if (std::abs(z) > std::abs(worst)) {
+            worst = z;
+            worst_cell = cell;
+        }
+    }
+    verdict.statistic = chi_square;
+    verdict.p_value = chi_square_tail(chi_square, freedom);
+    const double phi_bound = std::sqrt(noncentrality_bound(chi_square, claim, beta) / n);
+    verdict.deviation = {0, phi_bound};
+    verdict.evidence = {
+        {"degrees_of_freedom", freedom}, {"phi_upper_bound", phi_bound},
+        {"delta", claim.delta},          {"worst_cell", static_cast<std::uint64_t>(worst_cell)},
+        {"worst_cell_z", worst},         {"cells", static_cast<std::uint64_t>(claim.probabilities.size())}};
+    if (verdict.p_value < alpha) {
+        verdict.outcome = Outcome::refuted;
+        verdict.reason =
+            fmt::format("chi-square {:.4g} at {:g} degrees of freedom (p = {:.1e}); worst cell {}: {:+.1f} sigma",
+                        chi_square, freedom, verdict.p_value, worst_cell, worst);
+    } else if (phi_bound < claim.delta) {
+        verdict.outcome = Outcome::holds;
+        verdict.reason =
+            fmt::format("chi-square {:.4g} at {:g} degrees of freedom: a density error phi of {:.2g} is excluded",
+                        chi_square, freedom, claim.delta);
+    } else {
+        verdict.reason =
+            fmt::format("a density error phi up to {:.2g} could hide; claimed: below {:.2g}", phi_bound, claim.delta);
+    }
+    return verdict;
+}
+
+Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, const Run& run) {
+    check_setting(claim);
+    constexpr std::uint64_t batch = 4096;
+    const std::uint64_t n = distribution_samples(claim, run.alpha(), run.beta());
+    if (n > most_samples)
+        throw Error(
+            fmt::format("distribution: {} samples are needed (rarest cell {:.2g}, delta {:.2g}); join rare cells with "
+                        "their neighbours or allow a larger delta",
+                        n, rarest_cell(claim), claim.delta));
+    const std::uint64_t batches = (n + batch - 1) / batch;
+    const std::size_t cells = claim.probabilities.size();
+    std::vector<std::vector<std::uint64_t>> partial(batches);
+    for_batches(batches, [&](std::size_t b) {
+        std::vector<std::uint64_t> counts(cells + 1);  // the last: outside every cell
+        for (std::uint64_t i = b * batch; i < std::min<std::uint64_t>((b + 1) * batch, n); ++i) {
+            RandomStream random = run.random(i);
+            ++counts[std::min(draw(random), cells)];
+        }
+        partial[b] = std::move(counts);
+    });
+    std::vector<std::uint64_t> counts(cells + 1);
+    for (const auto& part : partial)
+        for (std::size_t cell = 0; cell <= cells; ++cell) counts[cell] += part[cell];
+    return chi_square_verdict(counts, claim, run.alpha(), run.beta());
+}
+
+}  // namespace plumb

@@ -1,0 +1,154 @@
+#include "verification/evidence/mean.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace plumb {
+namespace {
+
+using testing::HasSubstr;
+
+const Run run(2024, "mean_test", 1e-6);
+double uniform(RandomStream& random) {
+    return random.uniform();
+}
+
+TEST(MeanIs, HoldsForATrueMean) {
+    const Verdict verdict = mean_is(uniform, {.reference = 0.5, .delta = 0.01, .bounds = {0, 1}}, run);
+    EXPECT_EQ(verdict.outcome, Outcome::holds) << verdict.reason;
+    EXPECT_GT(verdict.p_value, run.alpha());
+    EXPECT_TRUE(verdict.deviation.contains(0));
+}
+
+TEST(MeanIs, RefutesABiasOfTwoDelta) {
+    const Verdict verdict = mean_is(uniform, {.reference = 0.52, .delta = 0.01, .bounds = {0, 1}}, run);
+    EXPECT_EQ(verdict.outcome, Outcome::refuted) << verdict.reason;
+    EXPECT_LE(verdict.p_value, run.alpha());
+}
+
+TEST(MeanIs, AllowsADeviationWithinEpsilon) {
+    const MeanClaim claim{.reference = 0.501, .delta = 0.01, .epsilon = 0.002, .bounds = {0, 1}};
+    EXPECT_EQ(mean_is(uniform, claim, run).outcome, Outcome::holds);
+}
+
+TEST(MeanIs, IsUndecidedAtTheEndOfItsBudget) {
+    const Verdict verdict = mean_is(uniform, {.reference = 0.5, .delta = 0.001, .bounds = {0, 1}, .cap = 5000}, run);
+    EXPECT_EQ(verdict.outcome, Outcome::undecided);
+    EXPECT_EQ(verdict.samples, 5000u);
+}
+
+TEST(MeanIs, IsUndecidedUnderInfiniteVariance) {
+    const auto inverse_root = [](RandomStream& random) { return 1 / std::sqrt(1 - random.uniform()); };
+    const Verdict verdict = mean_is(inverse_root, {.reference = 2, .delta = 0.1, .cap = 100000}, run);
+    EXPECT_EQ(verdict.outcome, Outcome::undecided);
+    EXPECT_THAT(verdict.reason, HasSubstr("heavy tails"));
+}
+
+TEST(MeanIs, ZeroSampleVarianceDecidesNothing) {
+    const auto one = [](RandomStream&) { return 1.0; };
+    EXPECT_EQ(mean_is(one, {.reference = 1, .delta = 0.1, .cap = 10000}, run).outcome, Outcome::undecided);
+    EXPECT_EQ(mean_is(one, {.reference = 2, .delta = 0.1, .cap = 10000}, run).outcome, Outcome::undecided);
+}
+
+TEST(MeanIs, ConstantValuesAreDecidedWithinBounds) {  // Hoeffding needs no variance
+    const auto half = [](RandomStream&) { return 0.5; };
+    EXPECT_EQ(mean_is(half, {.reference = 0.5, .delta = 0.1, .bounds = {0, 1}}, run).outcome, Outcome::holds);
+    EXPECT_EQ(mean_is(half, {.reference = 0.8, .delta = 0.1, .bounds = {0, 1}}, run).outcome, Outcome::refuted);
+}
+
+TEST(MeanIs, DeclaredZeroVarianceChecksEveryValue) {
+    const auto nearly = [](RandomStream& random) { return 1 + 1e-15 * random.uniform(); };
+    EXPECT_EQ(mean_is(nearly, {.reference = 1, .epsilon = 1e-14, .zero_variance = true}, run).outcome, Outcome::holds);
+    EXPECT_EQ(mean_is(nearly, {.reference = 1, .epsilon = 1e-17, .zero_variance = true}, run).outcome,
+              Outcome::refuted);
+}
+
+TEST(MeanIs, NamesTheSampleThatIsNotFinite) {
+    const auto sometimes = [](RandomStream& random) { return random.uniform() < 0.01 ? std::nan("") : 1.0; };
+    const Verdict verdict = mean_is(sometimes, {.reference = 1, .delta = 0.1}, run);
+    EXPECT_EQ(verdict.outcome, Outcome::refuted);
+    EXPECT_THAT(verdict.reason, HasSubstr("is nan"));
+}
+
+TEST(MeanIs, RefutesFalseBounds) {
+    const Verdict verdict = mean_is(uniform, {.reference = 0.5, .delta = 0.01, .bounds = {0, 0.9}}, run);
+    EXPECT_EQ(verdict.outcome, Outcome::refuted);
+    EXPECT_THAT(verdict.reason, HasSubstr("outside the declared bounds"));
+}
+
+TEST(MeanIs, RareSpikesWithinBoundsAreNotMissed) {
+    const auto spike = [](RandomStream& random) { return random.uniform() < 1e-3 ? 1000.0 : 0.0; };
+    EXPECT_EQ(mean_is(spike, {.reference = 1, .delta = 0.5, .bounds = {0, 1000}}, run).outcome, Outcome::holds);
+    EXPECT_EQ(mean_is(spike, {.reference = 0, .delta = 0.5, .bounds = {0, 1000}}, run).outcome, Outcome::refuted);
+}
+
+TEST(MeanIs, OneSampleDecidesNothing) {
+    EXPECT_EQ(mean_is(uniform, {.reference = 0.5, .delta = 0.1, .cap = 1}, run).outcome, Outcome::undecided);
+    EXPECT_EQ(mean_is(uniform, {.reference = 0.9, .delta = 0.1, .bounds = {0, 1}, .cap = 1}, run).outcome,
+              Outcome::undecided);
+}
+
+TEST(MeanIs, RefutesInfiniteValues) {
+    const auto sometimes = [](RandomStream& random) { return 1 / std::floor(1000 * random.uniform()); };
+    EXPECT_THAT(mean_is(sometimes, {.reference = 1, .delta = 0.1}, run).reason, HasSubstr("is inf"));
+}
+
+TEST(MeanIs, JudgesValuesOfAnySize) {  // squares under- and overflow from 1e-162 and 1e154 on
+    for (const double unit : {5e-324 * 1e6, 1e-310, 1e-200, 1.0, 1e200, 1e300}) {
+        const auto scaled = [unit](RandomStream& random) { return unit * random.uniform(); };
+        for (const Interval& bounds : {Interval{0, unit}, Interval{}}) {
+            const MeanClaim right{.reference = unit / 2, .delta = unit / 50, .bounds = bounds};
+            const MeanClaim wrong{.reference = 0.54 * unit, .delta = unit / 50, .bounds = bounds};
+            EXPECT_EQ(mean_is(scaled, right, run).outcome, Outcome::holds) << unit;
+            EXPECT_EQ(mean_is(scaled, wrong, run).outcome, Outcome::refuted) << unit;
+        }
+    }
+}
+
+TEST(MeanIs, ForgetsWhatItBelievedBeforeItSawTheSpikes) {
+    // One value in fifty is brighter by 4 to 8. Remembered maxima of early bets refuted 6 of 1000 of these.
+    for (int i = 0; i < 300; ++i) {
+        const plumb::Run one(static_cast<std::uint64_t>(i), "spikes", 1e-6);
+        const auto spiking = [](RandomStream& random) {
+            return random.uniform() + (random.uniform() < 0.02 ? 4 * (1 + random.uniform()) : 0);
+        };
+        const MeanClaim claim{.reference = 0.62, .delta = 0.09, .min_samples = 800, .cap = 1 << 17};
+        EXPECT_NE(mean_is(spiking, claim, one).outcome, Outcome::refuted) << i;
+    }
+}
+
+// As of light that arrives by one ray in 250, less an estimate that hardly varies: before the first ray, each value is
+// a sure win against it.
+TEST(MeanIs, ForfeitsWhatItWonBeforeASpikeRuinedIt) {
+    const auto rays = [](RandomStream& random) {
+        return (random.uniform() < 0.004 ? 125 : 0) - 0.4 - 0.2 * random.uniform();
+    };
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const Verdict verdict =
+            mean_is(rays, {.reference = 0, .delta = 0.05, .min_samples = 8192}, plumb::Run(seed, "rays", 1e-6));
+        EXPECT_EQ(verdict.outcome, Outcome::holds) << seed << ": " << verdict.reason;
+    }
+}
+
+TEST(MeanIs, SurvivesCancellationOfTwelveDigits) {
+    const auto far = [](RandomStream& random) { return 1e12 + random.uniform(); };
+    EXPECT_EQ(mean_is(far, {.reference = 1e12 + 0.5, .delta = 0.02, .epsilon = 0.001}, run).outcome, Outcome::holds);
+    EXPECT_EQ(mean_is(far, {.reference = 1e12 + 0.6, .delta = 0.02, .epsilon = 0.001}, run).outcome, Outcome::refuted);
+}
+
+TEST(MeanIs, RejectsSettingsThatMeanNothing) {
+    EXPECT_THROW((void)mean_is(uniform, {.reference = 0.5}, run), std::logic_error);
+    EXPECT_THROW((void)mean_is(uniform, {.reference = 0.5, .delta = 0.1, .epsilon = 0.2}, run), std::logic_error);
+}
+
+TEST(MeanAtMost, DecidesOneSide) {
+    EXPECT_EQ(mean_at_most(uniform, {.bound = 0.6, .margin = 0.1, .bounds = {0, 1}}, run).outcome, Outcome::holds);
+    EXPECT_EQ(mean_at_most(uniform, {.bound = 0.4, .margin = 0.1, .bounds = {0, 1}}, run).outcome, Outcome::refuted);
+    const auto never = [](RandomStream&) { return 0.0; };
+    EXPECT_EQ(mean_at_most(never, {.bound = 0.01, .margin = 0.01, .bounds = {0, 1}}, run).outcome, Outcome::holds);
+}
+
+}  // namespace
+}  // namespace plumb

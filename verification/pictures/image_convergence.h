@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "verification/evidence/convergence.h"
+#include "verification/pictures/picture.h"
+
+namespace plumb {
+
+/// Independent renders of one picture with as many samples a pixel; their own variances are not looked at.
+struct RendersAt {
+    std::uint64_t samples = 0;
+    std::vector<std::string> files = {};
+    std::vector<Picture> renders = {};
+    double seconds = std::numeric_limits<double>::quiet_NaN();  ///< mean of a render; NaN: not known
+};
+
+/// The error of renders against a reference, over pixels that are finite everywhere and channels. What the reference's
+/// own variance adds to the MSE is subtracted. Errors of the MSE come from what renders of as many samples differ by,
+/// in blocks of 8 x 8 pixels, which may be correlated within; of a single one from what its blocks differ by, which is
+/// more. Throws Error naming a file whose size or channels are not the reference's.
+ConvergencePoint convergence_point(const RendersAt& at, const Picture& reference);
+
+/// ⟨b² − v⟩ of a picture b with the variance v: what an MSE is divided by to be a relMSE.
+double power_of(const Picture& picture);
+
+}  // namespace plumb

@@ -1,0 +1,199 @@
+#include "verification/pictures/picture.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/error.h"
+
+namespace plumb {
+namespace {
+
+std::optional<std::size_t> channel_index(const Image& image, const std::string& name) {
+    const auto found = std::ranges::find(image.channels, name);
+    if (found == image.channels.end()) return {};
+    return static_cast<std::size_t>(found - image.channels.begin());
+}
+
+std::vector<std::string> colours_of(const Image& image, const std::string& name) {
+    for (const std::vector<std::string>& set : {std::vector<std::string>{"R", "G", "B"}, {"X", "Y", "Z"}, {"Y"}})
+        if (std::ranges::all_of(set, [&](const std::string& c) { return channel_index(image, c).has_value(); }))
+            return set;
+    throw Error(fmt::format("{}: has channels {}; accepted: R, G and B, or X, Y and Z, or Y", name,
+                            fmt::join(image.channels, ", ")));
+}
+
+std::vector<std::size_t> indices(const Image& image, const std::string& name,
+                                 const std::vector<std::string>& channels) {
+    std::vector<std::size_t> found;
+    for (const std::string& channel : channels) {
+        const std::optional<std::size_t> index = channel_index(image, channel);
+        if (!index) throw Error(fmt::format("{}: has no channel {}, which the first image has", name, channel));
+        found.push_back(*index);
+    }
+    return found;
+}
+
+std::size_t variances_among(const Image& image, const std::vector<std::string>& channels) {
+    const auto known = [&](const std::string& c) { return channel_index(image, "variance." + c).has_value(); };
+    return static_cast<std::size_t>(std::ranges::count_if(channels, known));
+}
+
+double replicates_of(const Image& image, const std::string& name) {
+    const auto text = image.metadata.find("plumb:replicates");
+    if (text == image.metadata.end())
+        throw Error(
+            fmt::format("{}: has variance layers, but no attribute plumb:replicates that says of how many "
+                        "replicates",
+                        name));
+    std::uint64_t count = 0;
+    std::from_chars(text->second.data(), text->second.data() + text->second.size(), count);
+    if (count < 2)
+        throw Error(fmt::format("{}: a variance needs two replicates or more, not plumb:replicates = '{}'", name,
+                                text->second));
+    return static_cast<double>(count);
+}
+
+// Half of a unit in the last place: of half floats where every number is one, else of floats.
+double rounding_of(const Image& image) {
+    constexpr double half = 0x1p-11, single = 0x1p-24;
+    const auto is_half = [](float x) {
+        int exponent = 0;
+        return std::ldexp(std::frexp(x, &exponent), 11) == std::round(std::ldexp(std::frexp(x, &exponent), 11)) ||
+               !std::isfinite(x);
+    };
+    return std::ranges::all_of(image.values, is_half) ? half : single;
+}
+
+void average(Picture& picture, std::span<const Image> renders, const std::vector<std::vector<std::size_t>>& sources) {
+    const std::size_t count = picture.channels.size();
+    const auto n = static_cast<double>(renders.size());
+    for (std::size_t i = 0; i < renders.size(); ++i) {
+        const std::size_t stride = renders[i].channels.size();
+        for (std::size_t k = 0; k < picture.mean.size(); ++k) {
+            const float value = renders[i].values[k / count * stride + sources[i][k % count]];
+            picture.mean[k] += std::isfinite(value) ? value / n : std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+}
+
+void variance_of_layers(Picture& picture, std::span<const Image> renders, std::span<const std::string> names) {
+    const std::size_t count = picture.channels.size();
+    const auto n = static_cast<double>(renders.size());
+    for (std::size_t i = 0; i < renders.size(); ++i) {
+        std::vector<std::string> layers;
+        for (const std::string& channel : picture.channels) layers.push_back("variance." + channel);
+        const std::vector<std::size_t> source = indices(renders[i], names[i], layers);
+        for (std::size_t k = 0; k < picture.variance.size(); ++k)
+            picture.variance[k] +=
+                renders[i].values[k / count * renders[i].channels.size() + source[k % count]] / n / n;
+        picture.degrees += replicates_of(renders[i], names[i]) - 1;
+    }
+}
+
+void find_residuals(Picture& picture, std::span<const Image> renders,
+                    const std::vector<std::vector<std::size_t>>& sources) {
+    const std::size_t count = picture.channels.size();
+    picture.residuals.resize(renders.size());
+    for (std::size_t i = 0; i < renders.size(); ++i)
+        for (std::size_t k = 0; k < picture.mean.size(); ++k)
+            picture.residuals[i].push_back(static_cast<float>(
+                renders[i].values[k / count * renders[i].channels.size() + sources[i][k % count]] - picture.mean[k]));
+}
+
+void variance_of_spread(Picture& picture) {
+    const auto n = static_cast<double>(picture.residuals.size());
+    for (const std::vector<float>& residual : picture.residuals)
+        for (std::size_t k = 0; k < residual.size(); ++k)
+            picture.variance[k] += static_cast<double>(residual[k]) * residual[k] / n / (n - 1);
+    picture.degrees = n - 1;
+}
+
+// A pixel with one bad channel is bad: it can be seen in no other way than as a whole.
+void exclude_bad(Picture& picture) {
+    const std::size_t count = picture.channels.size();
+    for (std::size_t p = 0; p < picture.mean.size(); p += count) {
+        bool bad = false;
+        for (std::size_t k = p; k < p + count; ++k)
+            bad = bad || !std::isfinite(picture.mean[k]) || !std::isfinite(picture.variance[k]) ||
+                  picture.variance[k] < 0;
+        if (!bad) continue;
+        ++picture.bad_pixels;
+        std::fill_n(picture.mean.begin() + static_cast<std::ptrdiff_t>(p), count,
+                    std::numeric_limits<double>::quiet_NaN());
+    }
+}
+
+}  // namespace
+
+Picture picture_of(std::span<const Image> renders, std::span<const std::string> names, bool exact) {
+    const Image& first = renders.front();
+    Picture picture{.width = first.width, .height = first.height, .channels = colours_of(first, names[0])};
+    picture.renders = renders.size();
+    std::vector<std::vector<std::size_t>> sources;
+    bool layers = true;
+    for (std::size_t i = 0; i < renders.size(); ++i) {
+        if (renders[i].width != first.width || renders[i].height != first.height)
+            throw Error(fmt::format("{}: is {}x{} pixels, {} {}x{}", names[i], renders[i].width, renders[i].height,
+                                    names[0], first.width, first.height));
+        if (renders[i].of_integers)
+            throw Error(
+                fmt::format("{}: stores integers, which are cut off and rounded; a comparison needs floats, e.g. "
+                            "EXR",
+                            names[i]));
+        sources.push_back(indices(renders[i], names[i], picture.channels));
+        layers = layers && variances_among(renders[i], picture.channels) == picture.channels.size();
+        picture.rounding = std::max(picture.rounding, rounding_of(renders[i]));
+    }
+    picture.mean.assign(
+        static_cast<std::size_t>(first.width) * static_cast<std::size_t>(first.height) * picture.channels.size(), 0);
+    picture.variance.assign(picture.mean.size(), 0);
+    average(picture, renders, sources);
+    if (renders.size() > 1 && !exact) find_residuals(picture, renders, sources);
+    if (exact)
+        picture.degrees = std::numeric_limits<double>::infinity();
+    else if (layers)
+        variance_of_layers(picture, renders, names);
+    else if (renders.size() > 1)
+        variance_of_spread(picture);
+    else
+        throw Error(
+            fmt::format("{}: one image without layers variance.{} …, so its error is unknown; give two or more "
+                        "independent renders of it (--a or --b), or say --exact-b when b has no error",
+                        names[0], picture.channels[0]));
+    exclude_bad(picture);
+    return picture;
+}
+
+bool has_variance(const Image& image, const std::string& name) {
+    const std::vector<std::string> channels = colours_of(image, name);
+    const std::size_t known = variances_among(image, channels);
+    if (known > 0 && known < channels.size())
+        throw Error(fmt::format("{}: has layers variance.… for {} of its {} channels; accepted: all or none", name,
+                                known, channels.size()));
+    return known > 0;
+}
+
+void require_independent(std::span<const Image> images, std::span<const std::string> names) {
+    const auto text = [](const Image& image, const char* key) {
+        const auto found = image.metadata.find(key);
+        return found == image.metadata.end() ? std::string() : found->second;
+    };
+    for (std::size_t i = 0; i < images.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const std::string seed = text(images[i], "plumb:seed"), scene = text(images[i], "plumb:scene_hash");
+            if (seed.empty() || seed != text(images[j], "plumb:seed") || scene != text(images[j], "plumb:scene_hash"))
+                continue;
+            throw Error(
+                fmt::format("{} and {}: both have seed {} and the same scene, so they share random numbers and "
+                            "the error of their difference is unknown; render one with another --seed",
+                            names[j], names[i], seed));
+        }
+}
+
+}  // namespace plumb
