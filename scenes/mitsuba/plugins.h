@@ -13,7 +13,7 @@ struct Plugin {
 };
 
 /// All that the loader knows, by kind and name. A plugin exists only when a shipped scene uses it and a claim checks
-/// it: verification/suites/rendering/features_test.cpp.
+/// it: verification/suites/features_test.cpp.
 const std::vector<Plugin>& known_plugins();
 
 /// The names of one kind. Throws Error where there is no such kind.

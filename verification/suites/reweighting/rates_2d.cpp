@@ -1,0 +1,97 @@
+// How fast the errors of torus weights fall.
+#include <numbers>
+
+#include "estimators/reweighting/reweighting_2d.h"
+#include "estimators/points/stratified.h"
+#include "estimators/reweighting/tent.h"
+#include "estimators/voronoi/voronoi_2d.h"
+#include "verification/evidence/rate.h"
+#include "verification/suites/reweighting/subjects_2d.h"
+
+namespace plumb {
+namespace {
+
+double tented(const Point<2>& u) {
+    return exp_sum(tent(u));
+}
+
+struct RateSubject {
+    std::string estimator, integrand;
+    Function<2> f;
+    double truth;
+};
+
+Check falls_as(const RateSubject& subject, const Weigh& weigh, std::vector<std::uint64_t> n, std::uint64_t replicates,
+               double exponent) {
+    return [=](const Run& run) {
+        const Replicate replicate = [=](std::uint64_t count, RandomStream& random) {
+            const Samples x = independent_points<2>(count, random);
+            return weighted_sum(subject.f, x, weigh(x));
+        };
+        return rate_is(replicate, {subject.estimator, subject.integrand, subject.truth, n, replicates},
+                       {exponent - 0.2, exponent + 0.2}, run);
+    };
+}
+
+std::vector<double> equal_weights(std::span<const Point<2>> samples) {
+    return std::vector<double>(samples.size(), 1 / static_cast<double>(samples.size()));
+}
+
+double plane(const Point<2>& x) {
+    return x[0] + 2 * x[1];
+}
+double wave(const Point<2>& x) {
+    return 1 + (std::cos(2 * std::numbers::pi * x[0]) + std::sin(2 * std::numbers::pi * x[1])) / 2;
+}
+
+}  // namespace
+
+void add_reweighting_2d_rate_claims(Catalogue& catalogue) {
+    const std::vector<std::uint64_t> small{16, 32, 64, 128, 256}, middle{64, 128, 256, 512},
+        large{256, 512, 1024, 2048};
+    const RateSubject torus{"torus", "e^(x+y)", exp_sum, exp_sum_integral};
+    catalogue.add({
+        .id = "reweighting/2d-torus/rate",
+        .statement = "The MSE of torus weights falls as N^-1.5 where the periodic extension jumps.",
+        .source = "ours: -1 - (1 + 2k)/D, estimators/reweighting/reweighting_estimators_2d.cpp",
+        .kind = Kind::rate,
+        .check = falls_as(torus, voronoi_areas_periodic, small, 1500, -1.5),
+        .mutants = {{"equal-weights", "weights 1/N: -1", falls_as(torus, equal_weights, small, 1500, -1.5)},
+                    {"clipped", "clipped cells: -2 and steeper", falls_as(torus, voronoi_areas, small, 1500, -1.5)}},
+    });
+    const RateSubject tent_plane{"torus-tent", "x+2y", [](const Point<2>& u) { return plane(tent(u)); }, 1.5};
+    const RateSubject one_axis{"torus-tent", "x+2y", [](const Point<2>& u) { return plane({tent(u[0]), u[1]}); }, 1.5};
+    catalogue.add({
+        .id = "reweighting/2d-torus-tent/rate",
+        .statement = "The MSE of torus weights under the tent map falls as N^-2.5: the tent leaves a kink.",
+        .source = "ours: -1 - (1 + 2k)/D, estimators/reweighting/reweighting_estimators_2d.cpp",
+        .kind = Kind::rate,
+        .check = falls_as(tent_plane, voronoi_areas_periodic, middle, 2000, -2.5),
+        .mutants = {{"one-axis", "the tent on one axis leaves the jump of the other: -1.5",
+                     falls_as(one_axis, voronoi_areas_periodic, middle, 2000, -2.5)}},
+    });
+    const RateSubject tent_exp{"torus-tent", "e^(x+y)", tented, exp_sum_integral};
+    catalogue.add({
+        .id = "reweighting/2d-torus-tent/rate-exp",
+        .statement = "The MSE of torus weights under the tent map falls as N^-2.5 for e^(x+y).",
+        .source = "ours: -1 - (1 + 2k)/D, estimators/reweighting/reweighting_estimators_2d.cpp",
+        .kind = Kind::rate,
+        .check = falls_as(tent_exp, voronoi_areas_periodic, large, 2000, -2.5),
+        .mutants = {{"no-tent", "without the tent: -1.5", falls_as(torus, voronoi_areas_periodic, large, 2000, -2.5)}},
+        .sizes = Sizes::full_only,
+    });
+    const RateSubject smooth{"torus", "1+(cos 2πx + sin 2πy)/2", wave, 1};
+    catalogue.add({
+        .id = "reweighting/2d-torus/rate-smooth",
+        .statement = "The MSE of torus weights falls as N^-3 for an integrand that is smooth on the torus.",
+        .source = "ours: -1 - 4/D, estimators/reweighting/reweighting_estimators_2d.cpp",
+        .kind = Kind::rate,
+        .check = falls_as(smooth, voronoi_areas_periodic, large, 2000, -3),
+        .mutants = {{"equal-weights", "weights 1/N: -1", falls_as(smooth, equal_weights, large, 2000, -3)},
+                    {"jump", "an integrand that jumps on the torus: -1.5",
+                     falls_as(torus, voronoi_areas_periodic, large, 2000, -3)}},
+        .sizes = Sizes::full_only,
+    });
+}
+
+}  // namespace plumb

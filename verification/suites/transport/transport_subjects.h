@@ -1,0 +1,49 @@
+#pragma once
+
+#include "integrators/estimators/bdpt.h"
+#include "integrators/estimators/light.h"
+#include "integrators/references/path_classes.h"
+#include "verification/suites/direct/direct_subjects.h"
+
+namespace plumb {
+
+// What the claims of light and bidirectional tracing share: small scenes, and the mean of a film region.
+
+/// The mean luminance of a region by n paths, their numbers Owen-scrambled; of paths of one length, or of all but one
+/// edge: what is seen directly, every integrator finds alike.
+struct RegionMean {
+    const Scene& scene;
+    const PathEstimator& estimator;
+    FilmRegion region;
+    std::uint32_t n = 16;
+    int length = 0;
+
+    [[nodiscard]] double draw(RandomStream& random) const;
+};
+FilmRegion whole_film(const Scene& scene);
+
+/// Weights that are wrong: by the density of the next vertex in place of the connected one's; by connections to mirrors
+/// that count as if they could be made.
+double weight_of_wrong_vertex(const PathChain& chain, int t);
+double weight_with_mirrors_connected(const PathChain& chain, int t);
+
+/// Inside of a diffuse sphere of radius 2 and albedo ½ that emits ½, or is lit by a point of intensity 4π at its
+/// centre: paths of k edges bring 2^-k, or 2^(1-k) without those of one edge. The camera is off the centre.
+const Scene& glowing_sphere();
+const Scene& sphere_around_point();
+
+/// Diffuse and lit by a rectangle: walls that touch, and a block. Through a lens; pixels by a Gaussian that reaches out
+/// of the film.
+const Scene& box_scene();
+/// Rough metal, rough glass, a rough coat and a floor, under a constant sky, with a point light.
+const Scene& rough_scene();
+/// A floor lit by a sphere light within a ball of glass and by mirrors, all out of the camera's sight.
+const Scene& caustic_scene();
+/// An octahedron with normals that lean towards a rectangle, which lights it, and nothing else.
+const Scene& smooth_normals_scene();
+/// Three plates that do not touch, one of which shines.
+const Scene& plates_scene();
+/// Two balls of glass on a floor before a wall, lit by a surface, a point or the sky.
+const Scene& glass_scene(PathClass::Source source);
+
+}  // namespace plumb
