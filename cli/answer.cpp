@@ -1,8 +1,8 @@
 #include "cli/answer.h"
 
 #include "core/file.h"
-#include "reports/html.h"
-#include "reports/json.h"
+#include "reports/run/html.h"
+#include "reports/run/json.h"
 #include "verification/evidence/convergence.h"
 
 namespace plumb {

@@ -6,7 +6,7 @@
 
 #include "cli/options.h"
 #include "estimators/replicates/integration.h"
-#include "reports/results.h"
+#include "reports/run/results.h"
 
 namespace plumb {
 

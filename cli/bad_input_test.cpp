@@ -6,8 +6,8 @@
 #include <set>
 
 #include "cli/test_program.h"
-#include "reports/sample_results.h"
-#include "reports/store.h"
+#include "reports/run/sample_results.h"
+#include "reports/run/store.h"
 
 namespace plumb {
 namespace {

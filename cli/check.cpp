@@ -8,7 +8,7 @@
 #include "core/file.h"
 #include "core/image.h"
 #include "integrators/references/provenance.h"
-#include "reports/known_values.h"
+#include "reports/images/known_values.h"
 #include "scenes/shipped/known_radiances.h"
 #include "scenes/shipped/shipped.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/options.h"
-#include "reports/json.h"
+#include "reports/run/json.h"
 #include "verification/claim.h"
 
 namespace plumb {

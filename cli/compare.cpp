@@ -6,8 +6,8 @@
 #include "core/image.h"
 #include "integrators/references/reference_cache.h"
 #include "integrators/references/scene_identity.h"
-#include "reports/comparison.h"
-#include "reports/text.h"
+#include "reports/images/comparison.h"
+#include "reports/text/text.h"
 #include "scenes/shipped/shipped.h"
 
 namespace plumb {

@@ -8,9 +8,9 @@
 #include "core/file.h"
 #include "core/parallel.h"
 #include "estimators/estimator.h"
-#include "reports/html.h"
-#include "reports/json.h"
-#include "reports/table.h"
+#include "reports/run/html.h"
+#include "reports/run/json.h"
+#include "reports/run/table.h"
 #include "studies/measure.h"
 #include "studies/scene_series.h"
 

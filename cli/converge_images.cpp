@@ -7,9 +7,9 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/image.h"
-#include "reports/html.h"
-#include "reports/json.h"
-#include "reports/text.h"
+#include "reports/run/html.h"
+#include "reports/run/json.h"
+#include "reports/text/text.h"
 #include "verification/pictures/image_convergence.h"
 
 namespace plumb {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reports/json.h"
+#include "reports/run/json.h"
 #include "verification/runner.h"
 #include "verification/suites/suites.h"
 

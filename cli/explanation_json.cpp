@@ -3,7 +3,7 @@
 #include "cli/explanation.h"
 #include "cli/scene_names.h"
 #include "integrators/paths/light_start.h"
-#include "reports/json_values.h"
+#include "reports/text/json_values.h"
 
 namespace plumb {
 namespace {

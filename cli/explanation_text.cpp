@@ -1,7 +1,7 @@
 #include "cli/explanation.h"
 #include "cli/scene_names.h"
 #include "integrators/paths/light_start.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace plumb {
 namespace {

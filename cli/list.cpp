@@ -1,8 +1,8 @@
 #include "cli/commands.h"
 #include "cli/run_info.h"
 #include "core/error.h"
-#include "reports/json.h"
-#include "reports/table.h"
+#include "reports/run/json.h"
+#include "reports/run/table.h"
 
 namespace plumb {
 namespace {

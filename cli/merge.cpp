@@ -1,4 +1,4 @@
-#include "reports/merge.h"
+#include "reports/run/merge.h"
 
 #include "cli/commands.h"
 #include "cli/outputs.h"

@@ -7,10 +7,10 @@
 #include "cli/run_info.h"
 #include "core/error.h"
 #include "core/file.h"
-#include "reports/html.h"
-#include "reports/json.h"
-#include "reports/junit.h"
-#include "reports/table.h"
+#include "reports/run/html.h"
+#include "reports/run/json.h"
+#include "reports/run/junit.h"
+#include "reports/run/table.h"
 
 namespace plumb {
 namespace {

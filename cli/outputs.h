@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "cli/options.h"
-#include "reports/results.h"
+#include "reports/run/results.h"
 
 namespace plumb {
 

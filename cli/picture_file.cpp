@@ -5,7 +5,7 @@
 #include "core/file.h"
 #include "core/srgb.h"
 #include "integrators/references/provenance.h"
-#include "reports/json.h"
+#include "reports/run/json.h"
 
 namespace plumb {
 

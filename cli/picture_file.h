@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <map>
 
-#include "reports/results.h"
+#include "reports/run/results.h"
 #include "scenes/film/film.h"
 
 namespace plumb {

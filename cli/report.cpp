@@ -2,10 +2,10 @@
 #include "cli/run_info.h"
 #include "core/error.h"
 #include "core/file.h"
-#include "reports/differences.h"
-#include "reports/html.h"
-#include "reports/store.h"
-#include "reports/table.h"
+#include "reports/run/differences.h"
+#include "reports/run/html.h"
+#include "reports/run/store.h"
+#include "reports/run/table.h"
 
 namespace plumb {
 

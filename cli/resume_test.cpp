@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "cli/test_program.h"
-#include "reports/json.h"
-#include "reports/store.h"
+#include "reports/run/json.h"
+#include "reports/run/store.h"
 
 namespace plumb {
 namespace {

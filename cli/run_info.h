@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "reports/results.h"
-#include "reports/table.h"
+#include "reports/run/results.h"
+#include "reports/run/table.h"
 
 namespace plumb {
 

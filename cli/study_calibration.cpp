@@ -2,7 +2,7 @@
 #include "cli/run_info.h"
 #include "core/file.h"
 #include "core/parallel.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 #include "verification/evidence/cost_of_a_verdict.h"
 
 namespace plumb {

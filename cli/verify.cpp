@@ -10,7 +10,7 @@
 #include "cli/run_info.h"
 #include "core/error.h"
 #include "core/version.h"
-#include "reports/store.h"
+#include "reports/run/store.h"
 
 namespace plumb {
 namespace {

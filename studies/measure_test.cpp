@@ -5,7 +5,7 @@
 #include "core/file.h"
 #include "core/parallel.h"
 #include "core/test_folder.h"
-#include "reports/study_files.h"
+#include "reports/study/study_files.h"
 #include "studies/study_file.h"
 
 namespace plumb {

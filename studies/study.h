@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "estimators/estimator.h"
-#include "reports/study_result.h"
+#include "reports/study/study_result.h"
 
 namespace plumb {
 

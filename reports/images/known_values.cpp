@@ -1,0 +1,77 @@
+#include "reports/images/known_values.h"
+
+#include <cmath>
+
+#include "reports/text/json_values.h"
+#include "reports/text/text.h"
+
+namespace plumb {
+namespace {
+
+using json_values::Json, json_values::number;
+
+std::string words(TileState state) {
+    if (state == TileState::same) return "holds";
+    return state == TileState::differs ? "refuted" : "undecided: " + to_string(state);
+}
+
+Json to(const CheckedValue& value, const ValuesReport& report) {
+    const KnownValue& known = report.known[value.known];
+    const MeanDifference& found = value.found;
+    return {{"name", known.name},
+            {"x", known.x},
+            {"y", known.y},
+            {"channel", report.picture.channels[value.channel]},
+            {"outcome", to_string(value.state == TileState::same      ? Outcome::holds
+                                  : value.state == TileState::differs ? Outcome::refuted
+                                                                      : Outcome::undecided)},
+            {"state", to_string(value.state)},
+            {"found", number(found.a)},
+            {"known", number(known.value[value.channel])},
+            {"known_error", number(known.error)},
+            {"standard_error", number(found.standard_error)},
+            {"degrees", number(found.degrees)},
+            {"skewness", number(found.skewness)},
+            {"p_value", number(found.p_value)},
+            {"delta", number(found.delta)},
+            {"low", number(found.interval.low)},
+            {"high", number(found.interval.high)},
+            {"source", known.source}};
+}
+
+}  // namespace
+
+std::string values_json(const ValuesReport& report) {
+    Json values = Json::array();
+    for (const CheckedValue& value : report.check.values) values.push_back(to(value, report));
+    const CheckSettings& s = report.settings;
+    const Json json = {{"outcome", to_string(report.check.verdict.outcome)},
+                       {"reason", report.check.verdict.reason},
+                       {"files", report.files},
+                       {"expected", report.expected},
+                       {"settings", {{"alpha", s.alpha}, {"beta", s.beta}, {"delta", s.delta}}},
+                       {"values", std::move(values)}};
+    return json.dump(2) + "\n";
+}
+
+std::string values_table(const ValuesReport& report, const TableStyle& style) {
+    std::vector<std::vector<std::string>> rows;
+    for (const CheckedValue& value : report.check.values) {
+        const MeanDifference& found = value.found;
+        const double known = report.known[value.known].value[value.channel];
+        const double off = 100 * found.difference / std::abs(known);
+        rows.push_back({report.known[value.known].name, report.picture.channels[value.channel], readable(found.a),
+                        readable(found.standard_error), readable(known), readable(known == 0 ? NAN : off),
+                        words(value.state)});
+    }
+    return table({{"known at"},
+                  {"channel"},
+                  {"found", Align::right},
+                  {"s.e.", Align::right},
+                  {"known", Align::right},
+                  {"off by %", Align::right},
+                  {"verdict"}},
+                 rows, static_cast<std::size_t>(style.width));
+}
+
+}  // namespace plumb

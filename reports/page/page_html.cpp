@@ -1,0 +1,19 @@
+#include "reports/page/page_html.h"
+
+#include "reports/page/page_files.h"
+#include "reports/page/page_template.h"
+
+namespace plumb {
+
+std::string page_html(std::string_view title, std::string_view data) {
+    const std::string heading = escaped(title);
+    return filled(page::document(), {{"title", heading},
+                                     {"style", page::style()},
+                                     {"data", data},
+                                     {"licences", page::licences()},
+                                     {"d3", page::d3()},
+                                     {"plot", page::plot()},
+                                     {"script", page::script()}});
+}
+
+}  // namespace plumb

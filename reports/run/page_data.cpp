@@ -1,0 +1,43 @@
+#include "reports/run/page_data.h"
+
+#include "reports/run/differences.h"
+#include "reports/run/json_document.h"
+
+namespace plumb {
+namespace {
+
+using json_values::Json, json_values::for_script;
+
+Json changes(const std::vector<OutcomeChange>& list) {
+    Json json = Json::array();
+    for (const OutcomeChange& change : list)
+        json.push_back({{"id", change.id}, {"before", to_string(change.before)}, {"after", to_string(change.after)}});
+    return json;
+}
+
+Json differences(const Results& before, const Results& after) {
+    const Differences d = diff_runs(before, after);
+    return {{"claims", changes(d.claims)}, {"mutants", changes(d.mutants)},    {"added", d.added},
+            {"removed", d.removed},        {"added_mutants", d.added_mutants}, {"removed_mutants", d.removed_mutants}};
+}
+
+}  // namespace
+
+Json page_document(const Results& results) {
+    Json json = json_document(results);
+    json["run"]["seed"] = std::to_string(results.run.seed);
+    for (Json& mutant : json["mutants"]) {  // the page draws those of claims only
+        mutant.erase("series");
+        mutant.erase("stability");
+    }
+    return json;
+}
+
+std::string page_data(const Results& results, const std::optional<Results>& against) {
+    Json json = {{"results", page_document(results)}, {"against", nullptr}};
+    if (against)
+        json["against"] = {{"run", page_document(*against)["run"]}, {"differences", differences(*against, results)}};
+    return for_script(json);
+}
+
+}  // namespace plumb

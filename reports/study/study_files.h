@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "reports/study/folder.h"
+#include "reports/study/study_result.h"
+
+namespace plumb {
+
+/// What a study leaves behind: index.html (needs nothing else), series.csv (a row for each point of each series) and
+/// one SVG for each integrand and metric of each figure.
+std::vector<FolderFile> study_files(const StudyResult& study);
+
+/// Its rows: figure, estimator, integrand, n, evaluations, seconds, mse, mse_low, mse_high, bias, bias_standard_error,
+/// replicates, integral. RFC 4180, numbers in full, a number that is not known an empty cell.
+std::string study_csv(const StudyResult& study);
+
+}  // namespace plumb

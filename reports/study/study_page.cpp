@@ -1,0 +1,55 @@
+#include "reports/study/study_page.h"
+
+#include "reports/page/page_html.h"
+#include "reports/run/json_document.h"
+
+namespace plumb {
+namespace {
+
+using json_values::Json, json_values::for_script;
+
+Json figure(const FigureResult& result, std::vector<Series>& series) {
+    const FigureText& about = result.about;
+    Json json = {{"id", about.id},           {"title", about.title},
+                 {"text", about.text},       {"source_says", about.source_says},
+                 {"x", to_string(about.x)},  {"x_label", about.x_label},
+                 {"metrics", Json::array()}, {"slopes", about.slopes},
+                 {"panels", Json::array()}};
+    for (const Metric metric : about.metrics) json["metrics"].push_back(to_string(metric));
+    for (const FigurePanel& panel : result.panels) {
+        Json indices = Json::array();
+        for (const Series& one : panel.series) {
+            indices.push_back(series.size());
+            series.push_back(one);
+        }
+        json["panels"].push_back({{"integrand", panel.integrand}, {"integral", panel.integral}, {"series", indices}});
+    }
+    return json;
+}
+
+// {"results": the run and all its series, "against": null, "study": texts and figures, which name their series by
+// index}.
+std::string page_data(const StudyResult& study) {
+    Results results{.run = study.run};
+    Json figures = Json::array();
+    for (const FigureResult& result : study.figures) figures.push_back(figure(result, results.series));
+    Json styles = Json::object();
+    for (const EstimatorStyle& style : estimator_styles(study)) styles[style.estimator] = style.style;
+    return for_script({{"results", page_document(results)},
+                       {"against", nullptr},
+                       {"study",
+                        {{"name", study.about.name},
+                         {"title", study.about.title},
+                         {"text", study.about.text},
+                         {"source", study.about.source},
+                         {"styles", styles},
+                         {"figures", figures}}}});
+}
+
+}  // namespace
+
+std::string study_html(const StudyResult& study) {
+    return page_html("Plumb study: " + study.about.title, page_data(study));
+}
+
+}  // namespace plumb

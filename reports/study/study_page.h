@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "reports/study/study_result.h"
+
+namespace plumb {
+
+/// The page of a study: each figure with its text, and controls to look at it otherwise.
+std::string study_html(const StudyResult& study);
+
+}  // namespace plumb

@@ -1,0 +1,42 @@
+#include "reports/study/study_result.h"
+
+namespace plumb {
+namespace {
+
+const EstimatorStyle* style_of(const std::vector<EstimatorStyle>& styles, std::string_view estimator) {
+    const auto at = std::ranges::find(styles, estimator, &EstimatorStyle::estimator);
+    return at == styles.end() ? nullptr : &*at;
+}
+
+std::vector<std::string> estimators_in(const FigureResult& figure) {
+    std::vector<std::string> names;
+    for (const FigurePanel& panel : figure.panels)
+        for (const Series& series : panel.series)
+            if (std::ranges::find(names, series.estimator) == names.end()) names.push_back(series.estimator);
+    return names;
+}
+
+}  // namespace
+
+std::vector<EstimatorStyle> estimator_styles(const StudyResult& study) {
+    std::vector<EstimatorStyle> styles;
+    for (const FigureResult& figure : study.figures) {
+        const std::vector<std::string> names = estimators_in(figure);
+        std::array<bool, series_colours> seen{};
+        for (const std::string& name : names)
+            if (const EstimatorStyle* style = style_of(styles, name)) seen[style->style % series_colours] = true;
+        for (const std::string& name : names) {
+            if (style_of(styles, name)) continue;
+            const bool all_seen = std::ranges::all_of(seen, std::identity{});
+            std::size_t style = 0;
+            while ((!all_seen && seen[style % series_colours]) ||
+                   std::ranges::find(styles, style, &EstimatorStyle::style) != styles.end())
+                ++style;
+            seen[style % series_colours] = true;
+            styles.push_back({name, style});
+        }
+    }
+    return styles;
+}
+
+}  // namespace plumb

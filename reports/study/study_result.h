@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/study/metric.h"
+#include "reports/run/results.h"
+
+namespace plumb {
+
+/// What a figure of a study shows and how; as its file states it (docs/studies.md).
+struct FigureText {
+    std::string id = {};                ///< lower-case letters, digits and hyphens: part of file names
+    std::string title = {}, text = {};  ///< what is shown and what to look at
+    std::string source_says = {};       ///< what the source states about it, for the reader to compare; or empty
+    Work x = Work::n;
+    std::string x_label = {};  ///< in place of the axis' own, where n stands for something else; or empty
+    std::vector<Metric> metrics = {Metric::mse};
+    std::vector<double> slopes = {};  ///< exponents of the MSE to draw as guides
+};
+
+/// One plot for each integrand and metric.
+struct FigurePanel {
+    std::string integrand;
+    double integral = 0;
+    std::vector<Series> series;  ///< one for each estimator
+};
+
+struct FigureResult {
+    FigureText about;
+    std::vector<FigurePanel> panels;
+};
+
+struct StudyText {
+    std::string name, title, text, source;
+};
+
+/// Everything that a study found: the one value that its page, CSV and plots render.
+struct StudyResult {
+    RunInfo run;
+    StudyText about;
+    std::vector<FigureResult> figures;
+};
+
+/// Which colour and symbol each estimator has in all figures of a study: a number that no other has, and, while eight
+/// colours suffice, a colour (the number modulo 8) that no other has in the same figure.
+struct EstimatorStyle {
+    std::string estimator;
+    std::size_t style = 0;
+};
+constexpr std::size_t series_colours = 8;
+std::vector<EstimatorStyle> estimator_styles(const StudyResult& study);
+
+}  // namespace plumb
