@@ -24,8 +24,8 @@ struct CellDensity {
     [[nodiscard]] std::size_t cell_of(const Point<2>& point) const;
 };
 
-/// By name: uniform, linear:A,B, exponential:RATE, uniform-2d, bilinear:A,B,C,D (estimators/densities/density.h, density_2d.h say
-/// what they are); anything else is the name of a CSV file (docs/embedding.md). Throws Error.
+/// By name: uniform, linear:A,B, exponential:RATE, uniform-2d, bilinear:A,B,C,D (estimators/densities/density.h,
+/// density_2d.h say what they are); anything else is the name of a CSV file (docs/embedding.md). Throws Error.
 CellDensity read_density(const std::string& text);
 
 /// The table as the file has it; `name` is for messages.

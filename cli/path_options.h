@@ -1,8 +1,8 @@
 #pragma once
 
 #include "cli/options.h"
-#include "integrators/integrators.h"
 #include "integrators/drivers/render.h"
+#include "integrators/integrators.h"
 
 namespace plumb {
 

@@ -12,7 +12,9 @@ TEST(NearestName, FindsASlipOfTheFinger) {
     EXPECT_EQ(nearest_name("torus", known), "torus");
 }
 
-TEST(NearestName, IsSilentWhenNothingIsNear) { EXPECT_EQ(nearest_name("metropolis", known), ""); }
+TEST(NearestName, IsSilentWhenNothingIsNear) {
+    EXPECT_EQ(nearest_name("metropolis", known), "");
+}
 
 TEST(UnknownName, NamesTheThingAndWhatIsAccepted) {
     EXPECT_STREQ(unknown_name("estimator", "tours", known).what(), "unknown estimator 'tours'; did you mean 'torus'?");

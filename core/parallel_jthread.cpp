@@ -49,6 +49,8 @@ void with_threads(int threads, const std::function<void()>& body) {
     threads_allowed = before;
 }
 
-int hardware_threads() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
+int hardware_threads() {
+    return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
 
 }  // namespace plumb

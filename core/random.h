@@ -13,7 +13,8 @@ namespace plumb {
 /// The number that names a stream: 64-bit FNV-1a of its text (a claim's id, an estimator's name).
 std::uint64_t stream_id(std::string_view name);
 
-/// A seed that nobody chose, from the system's entropy; 53 bits, so that it survives JSON readers that know only doubles.
+/// A seed that nobody chose, from the system's entropy; 53 bits, so that it survives JSON readers that know only
+/// doubles.
 std::uint64_t fresh_seed();
 
 /// A stream of random numbers addressed by (seed, stream, index): its k-th number is a pure function of these and k,

@@ -2,9 +2,9 @@
 #include <benchmark/benchmark.h>
 
 #include "core/random.h"
-#include "estimators/reweighting/cells_1d.h"
 #include "estimators/points/multi_jittered.h"
 #include "estimators/points/sobol.h"
+#include "estimators/reweighting/cells_1d.h"
 
 namespace plumb {
 namespace {

@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "scenes/geometry/embree_scene.h"
+#include "scenes/bsdfs/materials.h"
 #include "scenes/emitters/light_chooser.h"
 #include "scenes/emitters/lights.h"
-#include "scenes/bsdfs/materials.h"
+#include "scenes/geometry/embree_scene.h"
 #include "scenes/sensors/scene_sensor.h"
 
 namespace plumb {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "estimators/densities/warps.h"
 #include "scenes/emitters/sphere_light.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
-#include "estimators/densities/warps.h"
 
 namespace plumb {
 namespace {

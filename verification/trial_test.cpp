@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "core/error.h"
-#include "verification/gtest.h"
 #include "verification/evidence/mean.h"
+#include "verification/gtest.h"
 
 namespace plumb {
 namespace {

@@ -6,8 +6,8 @@
 #include "core/estimate.h"
 #include "core/moments.h"
 #include "core/random.h"
-#include "estimators/estimator.h"
 #include "estimators/densities/technique.h"
+#include "estimators/estimator.h"
 
 namespace plumb {
 

@@ -10,7 +10,8 @@
 
 namespace plumb {
 
-// Maps from the unit square to shapes. Of each, three functions that belong together, as in estimators/densities/density.h:
+// Maps from the unit square to shapes. Of each, three functions that belong together, as in
+// estimators/densities/density.h:
 //   sample_x(u)   maps u, uniform on [0,1)², to a point of the shape;
 //   x_pdf(…)      is its density there, in the measure that the comment names, 0 outside the shape;
 //   invert_x(p)   is the u that sample_x maps to p.

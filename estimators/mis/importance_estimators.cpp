@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "estimators/mis/control_variate.h"
+#include "estimators/debiasing/russian_roulette.h"
 #include "estimators/densities/density.h"
 #include "estimators/densities/density_2d.h"
+#include "estimators/mis/control_variate.h"
 #include "estimators/mis/importance_sampling.h"
-#include "estimators/replicates/independent_slope.h"
 #include "estimators/mis/mis_estimators.h"
-#include "estimators/debiasing/russian_roulette.h"
+#include "estimators/replicates/independent_slope.h"
 
 namespace plumb {
 namespace {

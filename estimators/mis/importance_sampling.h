@@ -8,8 +8,8 @@
 #include "core/error.h"
 #include "core/estimate.h"
 #include "core/moments.h"
-#include "estimators/estimator.h"
 #include "estimators/densities/technique.h"
+#include "estimators/estimator.h"
 
 namespace plumb {
 

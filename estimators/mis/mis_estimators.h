@@ -7,9 +7,9 @@
 #include "core/estimate.h"
 #include "core/moments.h"
 #include "estimators/densities/discrete.h"
+#include "estimators/densities/technique.h"
 #include "estimators/estimator.h"
 #include "estimators/mis/mis.h"
-#include "estimators/densities/technique.h"
 
 namespace plumb {
 

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 
 #include "core/error.h"
+#include "estimators/densities/density.h"
 #include "estimators/replicates/batches.h"
 #include "estimators/reweighting/cells_1d.h"
 #include "estimators/reweighting/control_variate_line.h"
-#include "estimators/densities/density.h"
 #include "estimators/reweighting/piecewise_strata.h"
 #include "estimators/reweighting/reweighting_estimators_1d.h"
 #include "estimators/reweighting/reweighting_slopes_1d.h"

@@ -1,9 +1,9 @@
 #include "estimators/reweighting/reweighting_estimators_1d.h"
 
+#include "estimators/densities/density.h"
 #include "estimators/replicates/batches.h"
 #include "estimators/reweighting/cells_1d.h"
 #include "estimators/reweighting/control_variate_line.h"
-#include "estimators/densities/density.h"
 #include "estimators/reweighting/reweighting_1d.h"
 #include "estimators/reweighting/reweighting_slopes_1d.h"
 #include "estimators/reweighting/samples_1d.h"
@@ -70,18 +70,18 @@ std::vector<Estimator<1>> reweighting_estimators_1d() {
          false, voronoi, clipped_slope_1d},
         {"reweighted", "Independent samples, Voronoi cells over their expected length g.", "thesis, eq. 4.8", true,
          reweighted, divided_slope_1d},
-        {"torus", "Independent samples weighted with their cells on the circle.", "ours, estimators/reweighting/cells_1d.h", true,
-         torus, torus_slope_1d},
-        {"torus-tent", "Cells on the circle, the integrand folded by the tent map.", "ours, estimators/reweighting/tent.h", true,
-         folded(torus), tent_slope_1d},
+        {"torus", "Independent samples weighted with their cells on the circle.",
+         "ours, estimators/reweighting/cells_1d.h", true, torus, torus_slope_1d},
+        {"torus-tent", "Cells on the circle, the integrand folded by the tent map.",
+         "ours, estimators/reweighting/tent.h", true, folded(torus), tent_slope_1d},
         {"control-variate-line",
          "Reweighted estimate of f minus the line through its end values, plus the line's integral.",
          "ours, estimators/reweighting/control_variate_line.h", true, run_control_variate, clipped_slope_1d},
         {"stratified-reweighted", "One jittered sample a stratum, Voronoi cells over their expected length.",
          "ours, analytic/cell_weight.h", true, cells(jittered_samples_1d, stratified_reweighted_weights_1d),
          divided_slope_1d},
-        {"stratified-torus", "One jittered sample a stratum, cells on the circle.", "ours, estimators/reweighting/cells_1d.h", true,
-         stratified_torus, torus_slope_1d},
+        {"stratified-torus", "One jittered sample a stratum, cells on the circle.",
+         "ours, estimators/reweighting/cells_1d.h", true, stratified_torus, torus_slope_1d},
         {"stratified-torus-tent",
          "One jittered sample a stratum, cells on the circle, the integrand folded by the tent map.",
          "ours, estimators/reweighting/tent.h", true, folded(stratified_torus), tent_slope_1d},

@@ -2,10 +2,10 @@
 
 #include <mutex>
 
-#include "estimators/reweighting/cell_weight_2d.h"
 #include "estimators/points/halton.h"
-#include "estimators/reweighting/reweighting_2d.h"
 #include "estimators/points/stratified.h"
+#include "estimators/reweighting/cell_weight_2d.h"
+#include "estimators/reweighting/reweighting_2d.h"
 
 namespace plumb {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "estimators/reweighting/cell_weight_2d.h"
 #include "estimators/estimator.h"
+#include "estimators/reweighting/cell_weight_2d.h"
 
 namespace plumb {
 

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <iostream>
 
-#include "checks/check_bsdf.h"
+#include "checks/bsdf/check_bsdf.h"
 #include "oren_nayar.h"
 
 /// The renderer's surface under Plumb's conventions: this much is to be written.

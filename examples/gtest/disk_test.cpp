@@ -1,7 +1,7 @@
 #include "disk.h"
 #include "verification/evidence/distribution.h"
-#include "verification/gtest.h"
 #include "verification/evidence/mean.h"
+#include "verification/gtest.h"
 
 Polar draw(plumb::RandomStream& random) {
     const double u = random.uniform(), v = random.uniform();

@@ -2,8 +2,8 @@
 // tests fail, and say what was found.
 
 #include "verification/evidence/distribution.h"
-#include "verification/gtest.h"
 #include "verification/evidence/mean.h"
+#include "verification/gtest.h"
 
 double radius(plumb::RandomStream& random) {
     return random.uniform();

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "integrators/paths/vertex.h"
 #include "integrators/drivers/render.h"
 #include "integrators/drivers/splatting.h"
+#include "integrators/paths/vertex.h"
 
 namespace plumb {
 

@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 
-#include "integrators/integrators.h"
 #include "integrators/drivers/sampler.h"
+#include "integrators/integrators.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
 
 namespace plumb {

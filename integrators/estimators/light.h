@@ -1,7 +1,7 @@
 #pragma once
 
-#include "integrators/paths/light_start.h"
 #include "integrators/estimators/path.h"
+#include "integrators/paths/light_start.h"
 
 namespace plumb {
 

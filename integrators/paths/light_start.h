@@ -1,7 +1,7 @@
 #pragma once
 
-#include "integrators/paths/vertex.h"
 #include "integrators/paths/shading_normal.h"
+#include "integrators/paths/vertex.h"
 
 namespace plumb {
 

@@ -3,9 +3,9 @@
 #include <bit>
 #include <cstring>
 
-#include "reports/text/json_values.h"
 #include "reports/page/page_files.h"
 #include "reports/page/page_template.h"
+#include "reports/text/json_values.h"
 
 namespace plumb {
 namespace {

@@ -9,8 +9,8 @@ std::string_view document();  ///< page.html, with {{style}} and the like where 
 std::string_view style();
 std::string_view d3();
 std::string_view plot();
-std::string_view script();    ///< all of page/script/
+std::string_view script();                                                        ///< all of page/script/
 std::string_view comparison_document(), comparison_style(), comparison_script();  ///< likewise, of `plumb compare`
-std::string_view licences();  ///< of d3 and plot
+std::string_view licences();                                                      ///< of d3 and plot
 
 }  // namespace plumb::page

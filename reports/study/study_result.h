@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/study/metric.h"
 #include "reports/run/results.h"
+#include "reports/study/metric.h"
 
 namespace plumb {
 

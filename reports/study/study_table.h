@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "reports/study/study_result.h"
 #include "reports/run/table.h"
+#include "reports/study/study_result.h"
 
 namespace plumb {
 

@@ -1,8 +1,8 @@
 #include "scenes/bsdfs/roughplastic.h"
 
+#include "estimators/densities/warps.h"
 #include "scenes/bsdfs/fresnel.h"
 #include "scenes/bsdfs/plastic.h"
-#include "estimators/densities/warps.h"
 
 namespace plumb {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "scenes/emitters/emitter.h"
 #include "estimators/densities/warps.h"
+#include "scenes/emitters/emitter.h"
 
 namespace plumb {
 

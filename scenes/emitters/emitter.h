@@ -7,8 +7,8 @@
 #include "core/point.h"
 #include "core/spectrum.h"
 #include "core/vec3.h"
-#include "scenes/geometry/ball.h"
 #include "scenes/bsdfs/bsdf_model.h"
+#include "scenes/geometry/ball.h"
 #include "scenes/geometry/surface_point.h"
 
 namespace plumb {

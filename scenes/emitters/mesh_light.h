@@ -5,8 +5,8 @@
 
 #include "core/error.h"
 #include "estimators/densities/piecewise_constant.h"
-#include "scenes/emitters/surface.h"
 #include "estimators/densities/warps.h"
+#include "scenes/emitters/surface.h"
 
 namespace plumb {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/error.h"
-#include "scenes/emitters/surface.h"
 #include "estimators/densities/warps.h"
+#include "scenes/emitters/surface.h"
 
 namespace plumb {
 

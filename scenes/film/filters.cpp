@@ -30,7 +30,8 @@ GaussianFilter::GaussianFilter(double standard_deviation)
     : sigma_(positive(standard_deviation, "gaussian filter: the standard deviation")) {}
 
 double GaussianFilter::sample(double u) const {
-    const double x = std::numbers::sqrt2 * sigma_ * boost::math::erf_inv((2 * u - 1) * mass_within_four_sigma, InDouble());
+    const double x =
+        std::numbers::sqrt2 * sigma_ * boost::math::erf_inv((2 * u - 1) * mass_within_four_sigma, InDouble());
     return std::clamp(x, -radius(), radius());
 }
 

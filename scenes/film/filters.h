@@ -10,7 +10,8 @@ namespace plumb {
 
 // Pixel filters as densities of the offset from a pixel's centre, in pixels: of integral 1 along each axis, and
 // sampled. A pixel is the plain mean of its own samples, drawn by its filter [Ernst, Stamminger & Greiner 2006]: no
-// weights, hence no division by summed weights, which is a ratio and biased. One axis, as in estimators/densities/density.h:
+// weights, hence no division by summed weights, which is a ratio and biased. One axis, as in
+// estimators/densities/density.h:
 //   sample(u), pdf(x), invert(x), radius().
 
 /// Constant on [−½, ½] (Mitsuba's `box`).

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "scenes/spectra/metals.h"
 #include "scenes/mitsuba/loader.h"
+#include "scenes/spectra/metals.h"
 
 namespace plumb::mitsuba {
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "core/srgb.h"
-#include "scenes/spectra/metals.h"
 #include "scenes/mitsuba/loader.h"
+#include "scenes/spectra/metals.h"
 #include "scenes/spectra/tabulated_spectrum.h"
 
 namespace plumb::mitsuba {

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "scenes/mitsuba/loader.h"
 #include "scenes/description/obj.h"
 #include "scenes/description/ply.h"
+#include "scenes/mitsuba/loader.h"
 
 namespace plumb::mitsuba {
 

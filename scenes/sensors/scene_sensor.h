@@ -4,9 +4,9 @@
 
 #include "scenes/description/description.h"
 #include "scenes/film/filters.h"
+#include "scenes/geometry/surface_point.h"
 #include "scenes/sensors/perspective.h"
 #include "scenes/sensors/thin_lens.h"
-#include "scenes/geometry/surface_point.h"
 
 namespace plumb {
 

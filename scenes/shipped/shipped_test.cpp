@@ -1,8 +1,8 @@
 #include "scenes/shipped/shipped.h"
 
 #include "core/file.h"
-#include "scenes/shipped/known_radiances.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
+#include "scenes/shipped/known_radiances.h"
 #include "scenes/test_files.h"
 
 namespace plumb {

@@ -29,8 +29,8 @@ Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, co
 /// What every expected count must reach for the chi-square's tail to be within 1.3 times its level at alpha.
 double least_expected_count(double alpha);
 
-/// How many samples a verdict takes: enough that a true claim is `undecided` with a probability of 1e-5 at most, and that
-/// every cell of positive probability expects least_expected_count().
+/// How many samples a verdict takes: enough that a true claim is `undecided` with a probability of 1e-5 at most, and
+/// that every cell of positive probability expects least_expected_count().
 std::uint64_t distribution_samples(const DistributionClaim& claim, double alpha, double beta);
 
 /// The verdict on given counts. degrees_of_freedom < 0: cells with positive probability − 1.

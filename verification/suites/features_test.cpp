@@ -6,8 +6,8 @@
 #include <set>
 
 #include "scenes/mitsuba/plugins.h"
-#include "scenes/shipped/shipped.h"
 #include "scenes/mitsuba/xml_tree.h"
+#include "scenes/shipped/shipped.h"
 #include "verification/suites/suites.h"
 
 namespace plumb {

@@ -1,5 +1,6 @@
 // The distributions behind the verdicts against sums of positive terms in multi-precision (MPFR): other formulas than
-// the library's, so that an agreement means something. Published tables stand in verification/evidence/distributions_test.cpp.
+// the library's, so that an agreement means something. Published tables stand in
+// verification/evidence/distributions_test.cpp.
 
 #include "verification/evidence/distributions.h"
 

@@ -3,9 +3,9 @@
 #include "core/srgb.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
+#include "verification/pictures/synthetic_render.h"
 #include "verification/suites/comparison/compare_subjects.h"
 #include "verification/suites/suites.h"
-#include "verification/pictures/synthetic_render.h"
 
 namespace plumb {
 namespace {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "core/srgb.h"
+#include "integrators/drivers/render.h"
 #include "integrators/estimators/light.h"
 #include "integrators/estimators/path.h"
-#include "integrators/drivers/render.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/comparison/compare_subjects.h"
 #include "verification/suites/direct/direct_subjects.h"

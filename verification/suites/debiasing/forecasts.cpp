@@ -2,8 +2,8 @@
 
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/ratio.h"
-#include "verification/suites/suites.h"
 #include "verification/suites/debiasing/telescoping_subjects.h"
+#include "verification/suites/suites.h"
 
 namespace plumb {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "analytic/enumeration.h"
 #include "verification/evidence/deterministic.h"
-#include "verification/suites/suites.h"
 #include "verification/suites/debiasing/telescoping_subjects.h"
+#include "verification/suites/suites.h"
 
 namespace plumb {
 namespace {

@@ -1,7 +1,7 @@
 // The radiances that are known in the shipped scenes, of paths of one and two edges, found by the renderer.
 
-#include "scenes/shipped/known_radiances.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
+#include "scenes/shipped/known_radiances.h"
 #include "scenes/shipped/shipped.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/direct/direct_subjects.h"

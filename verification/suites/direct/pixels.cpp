@@ -2,12 +2,12 @@
 // a constant scene constant.
 
 #include "core/parallel.h"
-#include "integrators/estimators/aov.h"
 #include "integrators/drivers/render.h"
 #include "integrators/drivers/sampler.h"
+#include "integrators/estimators/aov.h"
+#include "scenes/bsdfs/texture.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
-#include "scenes/bsdfs/texture.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/direct/direct_subjects.h"
 #include "verification/suites/suites.h"

@@ -2,9 +2,9 @@
 // tracing give the same pixel, and a lens blurs a point as geometry says.
 
 #include "analytic/irradiance.h"
+#include "estimators/densities/warps.h"
 #include "scenes/sensors/perspective.h"
 #include "scenes/sensors/thin_lens.h"
-#include "estimators/densities/warps.h"
 #include "verification/evidence/distribution.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/lights/jacobian.h"

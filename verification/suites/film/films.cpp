@@ -4,9 +4,9 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
+#include "estimators/densities/warps.h"
 #include "estimators/points/stratified.h"
 #include "scenes/film/filters.h"
-#include "estimators/densities/warps.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/suites.h"

@@ -8,8 +8,8 @@
 #include "integrators/drivers/splatting.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
-#include "verification/suites/transport/transport_subjects.h"
 #include "verification/suites/suites.h"
+#include "verification/suites/transport/transport_subjects.h"
 
 namespace plumb {
 namespace {

@@ -3,13 +3,13 @@
 
 #include "analytic/irradiance.h"
 
+#include "estimators/densities/warps.h"
 #include "estimators/points/stratified.h"
 #include "scenes/emitters/disk_light.h"
 #include "scenes/emitters/light_chooser.h"
 #include "scenes/emitters/mesh_light.h"
 #include "scenes/emitters/rectangle_light.h"
 #include "scenes/emitters/sphere_light.h"
-#include "estimators/densities/warps.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/distribution.h"
 #include "verification/evidence/mean.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "analytic/enumeration.h"
-#include "estimators/mis/control_variate.h"
 #include "estimators/densities/density.h"
+#include "estimators/mis/control_variate.h"
 #include "estimators/mis/importance_estimators.h"
 #include "estimators/mis/importance_sampling.h"
 #include "verification/evidence/deterministic.h"

@@ -4,8 +4,8 @@
 
 #include "estimators/points/mean_over.h"
 #include "estimators/points/point_set_estimators.h"
-#include "estimators/replicates/replicates.h"
 #include "estimators/points/stratified.h"
+#include "estimators/replicates/replicates.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/suites.h"
 

@@ -2,17 +2,17 @@
 
 #include "analytic/cell_weight.h"
 #include "analytic/cell_weight_density.h"
+#include "estimators/densities/density.h"
 #include "estimators/replicates/batches.h"
 #include "estimators/reweighting/cells_1d.h"
-#include "estimators/densities/density.h"
 #include "estimators/reweighting/piecewise_strata.h"
 #include "estimators/reweighting/reweighting_1d.h"
 #include "estimators/reweighting/samples_1d.h"
 #include "estimators/reweighting/tent.h"
 #include "estimators/reweighting/warp.h"
 #include "verification/evidence/mean.h"
-#include "verification/suites/reweighting/subjects_1d.h"
 #include "verification/suites/reweighting/exponential_1d.h"
+#include "verification/suites/reweighting/subjects_1d.h"
 
 namespace plumb {
 namespace {

@@ -1,8 +1,8 @@
 // The expectation g/N of a clipped cell: what bias it gives, and how dividing by it removes the bias.
 #include "analytic/disk_rectangle.h"
+#include "estimators/points/stratified.h"
 #include "estimators/reweighting/cell_weight_2d.h"
 #include "estimators/reweighting/reweighting_2d.h"
-#include "estimators/points/stratified.h"
 #include "estimators/voronoi/voronoi_2d.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/reweighting/subjects_2d.h"
@@ -159,8 +159,7 @@ void add_reweighting_2d_expected_cell_claims(Catalogue& catalogue) {
         .source = "ours, estimators/reweighting/cell_weight_2d.h",
         .kind = Kind::mean,
         .check = density_unbiased(two_piece_g, two_piece_pdf, 7),
-        .mutants = {{"uniform-g", "g of uniform samples: 4.7 % too bright",
-                     density_unbiased(g_of_3, two_piece_pdf, 7)},
+        .mutants = {{"uniform-g", "g of uniform samples: 4.7 % too bright", density_unbiased(g_of_3, two_piece_pdf, 7)},
                     {"without-p", "not divided by the density", density_unbiased(two_piece_g, one, 4)}},
     });
 }

@@ -7,8 +7,8 @@
 #include "estimators/reweighting/reweighting_1d.h"
 #include "estimators/reweighting/samples_1d.h"
 #include "estimators/reweighting/tent.h"
-#include "verification/suites/reweighting/subjects_1d.h"
 #include "verification/suites/reweighting/exponential_1d.h"
+#include "verification/suites/reweighting/subjects_1d.h"
 
 namespace plumb {
 namespace {

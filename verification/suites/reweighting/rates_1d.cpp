@@ -179,7 +179,8 @@ void add_fast(Catalogue& catalogue) {
         {"reweighting/control-variate-line/rate",
          "With the line through f(0) and f(1) as control variate the reweighted estimator's MSE falls like N^-4, "
          "unbiased.",
-         "ours, estimators/reweighting/control_variate_line.h", "control-variate-line", -4, 0.6, exponential, heavy_tails},
+         "ours, estimators/reweighting/control_variate_line.h", "control-variate-line", -4, 0.6, exponential,
+         heavy_tails},
         {{"no-line", "the reweighted estimate of f itself", shipped("reweighted")}});
     add(catalogue,
         {"reweighting/stratified-torus-tent/rate",

@@ -1,8 +1,8 @@
 // How fast the errors of torus weights fall.
 #include <numbers>
 
-#include "estimators/reweighting/reweighting_2d.h"
 #include "estimators/points/stratified.h"
+#include "estimators/reweighting/reweighting_2d.h"
 #include "estimators/reweighting/tent.h"
 #include "estimators/voronoi/voronoi_2d.h"
 #include "verification/evidence/rate.h"

@@ -1,7 +1,7 @@
 #include "verification/suites/reweighting/subjects_2d.h"
 
-#include "estimators/reweighting/reweighting_2d.h"
 #include "estimators/points/stratified.h"
+#include "estimators/reweighting/reweighting_2d.h"
 #include "estimators/voronoi/voronoi_2d.h"
 
 namespace plumb {

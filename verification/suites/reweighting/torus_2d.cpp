@@ -2,8 +2,8 @@
 #include <numbers>
 
 #include "estimators/points/random_shift.h"
-#include "estimators/reweighting/reweighting_2d.h"
 #include "estimators/points/stratified.h"
+#include "estimators/reweighting/reweighting_2d.h"
 #include "estimators/reweighting/tent.h"
 #include "estimators/voronoi/voronoi_2d.h"
 #include "verification/suites/reweighting/subjects_2d.h"

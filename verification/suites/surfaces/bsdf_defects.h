@@ -1,6 +1,6 @@
 #pragma once
 
-#include "checks/check_bsdf.h"
+#include "checks/bsdf/check_bsdf.h"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-// Every surface on trial by checks/check_bsdf.h, at every roughness, with the defects that renderers have had.
+// Every surface on trial by checks/bsdf/check_bsdf.h, at every roughness, with the defects that renderers have had.
 
 #include <algorithm>
 #include <memory>
@@ -6,8 +6,8 @@
 
 #include "scenes/bsdfs/bsdf.h"
 #include "scenes/bsdfs/fresnel.h"
-#include "verification/suites/surfaces/bsdf_defects.h"
 #include "verification/suites/suites.h"
+#include "verification/suites/surfaces/bsdf_defects.h"
 
 namespace plumb {
 namespace {

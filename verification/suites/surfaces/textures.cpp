@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "scenes/scene.h"
 #include "scenes/bsdfs/texture.h"
+#include "scenes/scene.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/suites.h"
 

@@ -6,8 +6,8 @@
 
 #include "integrators/references/path_classes.h"
 #include "verification/evidence/deterministic.h"
-#include "verification/suites/transport/transport_subjects.h"
 #include "verification/suites/suites.h"
+#include "verification/suites/transport/transport_subjects.h"
 
 namespace plumb {
 namespace {

@@ -2,12 +2,12 @@
 // bright as everything else: light of emission L_e after k − 1 reflections is L_e ρ^(k−1), that of a point of intensity
 // I at the centre, E = I/R² everywhere, is E ρ^(k−1)/π for k ≥ 2 edges.
 
-#include "integrators/drivers/render.h"
 #include "estimators/densities/warps.h"
+#include "integrators/drivers/render.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
-#include "verification/suites/transport/transport_subjects.h"
 #include "verification/suites/suites.h"
+#include "verification/suites/transport/transport_subjects.h"
 
 namespace plumb {
 namespace {

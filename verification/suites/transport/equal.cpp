@@ -2,8 +2,8 @@
 // have none of them in sight.
 
 #include "verification/evidence/mean.h"
-#include "verification/suites/transport/transport_subjects.h"
 #include "verification/suites/suites.h"
+#include "verification/suites/transport/transport_subjects.h"
 
 namespace plumb {
 namespace {

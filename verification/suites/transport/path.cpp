@@ -3,9 +3,9 @@
 
 #include <numbers>
 
-#include "integrators/paths/vertex.h"
-#include "integrators/estimators/path.h"
 #include "integrators/drivers/sampler.h"
+#include "integrators/estimators/path.h"
+#include "integrators/paths/vertex.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
 #include "verification/evidence/deterministic.h"

@@ -4,8 +4,8 @@
 #include "integrators/drivers/region_estimate.h"
 #include "verification/evidence/convergence.h"
 #include "verification/evidence/ratio.h"
-#include "verification/suites/transport/transport_subjects.h"
 #include "verification/suites/suites.h"
+#include "verification/suites/transport/transport_subjects.h"
 
 namespace plumb {
 namespace {

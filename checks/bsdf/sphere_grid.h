@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "checks/cubature.h"
+#include "checks/bsdf/cubature.h"
 #include "core/vec3.h"
 
 namespace plumb::checks {

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "checks/check_bsdf.h"
+#include "checks/bsdf/check_bsdf.h"
 #include "verification/evidence/deterministic.h"
 
 namespace plumb::checks {

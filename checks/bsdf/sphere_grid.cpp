@@ -1,4 +1,4 @@
-#include "checks/sphere_grid.h"
+#include "checks/bsdf/sphere_grid.h"
 
 #include <algorithm>
 #include <numbers>

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "checks/gtest.h"
+#include "checks/bsdf/gtest.h"
 #include "core/error.h"
 #include "scenes/bsdfs/conductor.h"
 #include "scenes/bsdfs/diffuse.h"

@@ -1,4 +1,4 @@
-#include "checks/directions.h"
+#include "checks/bsdf/directions.h"
 
 #include <algorithm>
 #include <cmath>

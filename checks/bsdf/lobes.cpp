@@ -1,4 +1,4 @@
-#include "checks/lobes.h"
+#include "checks/bsdf/lobes.h"
 
 namespace plumb::checks {
 

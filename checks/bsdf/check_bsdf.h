@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "checks/bsdf_subject.h"
-#include "checks/directions.h"
+#include "checks/bsdf/bsdf_subject.h"
+#include "checks/bsdf/directions.h"
 #include "verification/run.h"
 #include "verification/verdict.h"
 

@@ -1,4 +1,4 @@
-#include "checks/cubature.h"
+#include "checks/bsdf/cubature.h"
 
 #include <algorithm>
 #include <cmath>

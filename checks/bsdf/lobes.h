@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "checks/bsdf_subject.h"
+#include "checks/bsdf/bsdf_subject.h"
 
 namespace plumb::checks {
 

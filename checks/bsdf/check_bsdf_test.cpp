@@ -1,4 +1,4 @@
-#include "checks/check_bsdf.h"
+#include "checks/bsdf/check_bsdf.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "checks/check_bsdf.h"
+#include "checks/bsdf/check_bsdf.h"
 
 #include <cmath>
 #include <limits>
 #include <ostream>
 
-#include "checks/lobes.h"
-#include "checks/sphere_grid.h"
+#include "checks/bsdf/lobes.h"
+#include "checks/bsdf/sphere_grid.h"
 #include "core/parallel.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/distribution.h"
