@@ -5,7 +5,7 @@
 #include "reports/run/json.h"
 #include "verification/evidence/convergence.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
@@ -50,7 +50,7 @@ std::string text_of(const Answer& a) {
     return text;
 }
 
-ListRow row_of(const Answer& a) {
+reports::ListRow row_of(const Answer& a) {
     std::string known;
     for (const std::string& sentence : a.known) known += (known.empty() ? "" : "; ") + sentence;
     return {{"integrand", a.integrand},
@@ -86,20 +86,20 @@ Series series_of(const std::vector<Runs>& sets, const Answer& answer) {
     return series;
 }
 
-int tell(const std::vector<Answer>& answers, const RunInfo& run, const IntegrateOptions& options) {
+int tell(const std::vector<Answer>& answers, const reports::RunInfo& run, const IntegrateOptions& options) {
     std::vector<Series> series;
-    std::vector<ListRow> rows;
+    std::vector<reports::ListRow> rows;
     bool met = true;
     for (const Answer& answer : answers) {
         if (answer.series) series.push_back(*answer.series);
         rows.push_back(row_of(answer));
         met = met && answer.target_met;
     }
-    if (!options.json.empty()) write_file(options.json, integration_json(run, rows, series));
-    if (!series.empty()) write_converge_report(run, series, options.report);
+    if (!options.json.empty()) write_file(options.json, reports::integration_json(run, rows, series));
+    if (!series.empty()) reports::write_converge_report(run, series, options.report);
     for (const Answer& answer : answers) fmt::print("{}", text_of(answer));
     if (!series.empty()) fmt::print("report: {}\n", options.report);
     return met ? 0 : 3;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

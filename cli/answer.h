@@ -8,7 +8,7 @@
 #include "estimators/replicates/integration.h"
 #include "reports/run/results.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 /// One integral as `plumb integrate` tells it.
 struct Answer {
@@ -27,6 +27,6 @@ struct Answer {
 Series series_of(const std::vector<Runs>& sets, const Answer& answer);
 
 /// Prints the answers, writes the page and the JSON; the program's exit code: 3 when a target was missed.
-int tell(const std::vector<Answer>& answers, const RunInfo& run, const IntegrateOptions& options);
+int tell(const std::vector<Answer>& answers, const reports::RunInfo& run, const IntegrateOptions& options);
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -9,7 +9,7 @@
 #include "reports/run/sample_results.h"
 #include "reports/run/store.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,9 +32,9 @@ void execute(const fs::path& file, const char* sql, sqlite3** keep = nullptr) {
 }
 
 void store_a_run(const fs::path& file, int shards = 1) {
-    Results results = sample_results();
+    reports::Results results = reports::sample_results();
     results.run.shards = shards;
-    Store(file, Store::Access::append).append(results);
+    reports::Store(file, reports::Store::Access::append).append(results);
 }
 
 std::set<std::string> files_in(const fs::path& folder) {
@@ -153,4 +153,4 @@ TEST_F(BadInput, OfAReadOnlyFolder) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 using testing::DoubleNear;
@@ -103,4 +103,4 @@ TEST(CellOf, HasUpperEndsOnlyWhereNothingElseBegins) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -12,7 +12,7 @@
 #include "scenes/shipped/known_radiances.h"
 #include "scenes/shipped/shipped.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -97,11 +97,11 @@ int check(const CheckOptions& options) {
     const Picture picture = picture_to_check(images, options.images);
     const ValuesCheck found = check(picture, known, options.settings);
 
-    const ValuesReport report{options.images, expected, picture, known, options.settings, found};
-    if (!options.json.empty()) write_file(options.json, values_json(report));
-    fmt::print("{}{}: {}\n", values_table(report, terminal_style()), to_string(found.verdict.outcome),
+    const reports::ValuesReport report{options.images, expected, picture, known, options.settings, found};
+    if (!options.json.empty()) write_file(options.json, reports::values_json(report));
+    fmt::print("{}{}: {}\n", reports::values_table(report, terminal_style()), to_string(found.verdict.outcome),
                found.verdict.reason);
     return exit_code(found.verdict.outcome);
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -5,7 +5,7 @@
 #include "cli/command_test.h"
 #include "core/image.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 using testing::AllOf;
@@ -97,4 +97,4 @@ TEST_F(ForeignImage, IsToldWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -9,7 +9,7 @@
 #include "core/file.h"
 #include "core/test_folder.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 /// What the program said when it was called in a folder of the test's own.
 struct Said {
@@ -53,4 +53,4 @@ private:
     }
 };
 
-}  // namespace plumb
+}  // namespace plumb::cli

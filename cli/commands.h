@@ -10,11 +10,13 @@
 #include "verification/claim.h"
 
 namespace plumb {
-
 class Scene;
+}
+
+namespace plumb::cli {
 
 /// What `list` can show: a name and its rows.
-using Lists = std::map<std::string, std::function<std::vector<ListRow>()>>;
+using Lists = std::map<std::string, std::function<std::vector<reports::ListRow>()>>;
 /// Claims and mutants of the catalogue, which must outlive the lists.
 Lists catalogue_lists(const Catalogue& catalogue);
 /// These, integrands and estimators.
@@ -43,4 +45,4 @@ constexpr int exit_code(Outcome outcome) {
     return outcome == Outcome::holds ? 0 : outcome == Outcome::refuted ? 1 : 3;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

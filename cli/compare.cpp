@@ -10,7 +10,7 @@
 #include "reports/text/text.h"
 #include "scenes/shipped/shipped.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 std::vector<std::string> files_of(const CompareOptions& options, std::size_t side) {
@@ -46,18 +46,19 @@ void print_tiles(const ImageComparison& found) {
         for (std::size_t i = 0; i < std::min<std::size_t>(8, list.size()); ++i) {
             const TileTest& t = found.tiles[list[i]];
             rows.push_back({fmt::format("({}, {})", t.box.x, t.box.y), fmt::format("{}x{}", t.box.width, t.box.height),
-                            found.channels[t.channel].channel, readable(t.found.a), readable(t.found.b),
-                            readable(t.found.z), readable(t.found.p_value), to_string(t.state)});
+                            found.channels[t.channel].channel, reports::readable(t.found.a),
+                            reports::readable(t.found.b), reports::readable(t.found.z),
+                            reports::readable(t.found.p_value), to_string(t.state)});
         }
-        fmt::print("{}", table({{"at"},
-                                {"pixels"},
-                                {"channel"},
-                                {"a", Align::right},
-                                {"b", Align::right},
-                                {"z", Align::right},
-                                {"p", Align::right},
-                                {"state"}},
-                               rows, 100));
+        fmt::print("{}", reports::table({{"at"},
+                                         {"pixels"},
+                                         {"channel"},
+                                         {"a", reports::Align::right},
+                                         {"b", reports::Align::right},
+                                         {"z", reports::Align::right},
+                                         {"p", reports::Align::right},
+                                         {"state"}},
+                                        rows, 100));
         if (list.size() > rows.size()) fmt::print("… and {} more\n", list.size() - rows.size());
     };
     print("Tiles that differ, worst first", found.differing);
@@ -83,17 +84,17 @@ int compare(const CompareOptions& options) {
     const Picture a = picture_of(images_a, files_a), b = picture_of(images_b, files_b, options.exact_b);
     const ImageComparison found = compare(a, b, options.settings);
 
-    const ComparisonReport report{files_a, files_b, a, b, options.settings, found};
-    if (!options.json.empty()) write_file(options.json, comparison_json(report));
-    if (!options.report.empty()) write_file(options.report, comparison_html(report));
+    const reports::ComparisonReport report{files_a, files_b, a, b, options.settings, found};
+    if (!options.json.empty()) write_file(options.json, reports::comparison_json(report));
+    if (!options.report.empty()) write_file(options.report, reports::comparison_html(report));
     fmt::print("{}: {}\n", to_string(found.verdict.outcome), found.verdict.reason);
     print_tiles(found);
     for (const ErrorMeasure& error : found.errors)
-        fmt::print("{} {} [{}, {}]  ", error.name, readable(error.value), readable(error.interval.low),
-                   readable(error.interval.high));
+        fmt::print("{} {} [{}, {}]  ", error.name, reports::readable(error.value),
+                   reports::readable(error.interval.low), reports::readable(error.interval.high));
     fmt::print("\n");
     if (!options.report.empty()) fmt::print("report: {}\n", options.report);
     return exit_code(found.verdict.outcome);
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -7,7 +7,7 @@
 #include "core/image.h"
 #include "core/random.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 using testing::AllOf;
@@ -64,4 +64,4 @@ TEST_F(CompareCommand, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::cli

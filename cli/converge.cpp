@@ -14,7 +14,7 @@
 #include "studies/measure.h"
 #include "studies/scene_series.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 Series measure_any(const std::string& estimator, const std::string& integrand, const ConvergeOptions& options,
@@ -68,7 +68,7 @@ int converge(const ConvergeOptions& options) {
     check_names(options);
     for (const std::string& file : {options.json, options.report})
         if (!file.empty()) check_writable(file);
-    RunInfo info = start_run(options.seed, options.threads);
+    reports::RunInfo info = start_run(options.seed, options.threads);
     const Run run(info.seed, "converge", 1);
     const auto start = std::chrono::steady_clock::now();
     std::vector<Series> series;
@@ -83,12 +83,12 @@ int converge(const ConvergeOptions& options) {
         });
     }
     info.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (!options.json.empty()) write_file(options.json, converge_json(info, series, truths));
-    if (!options.report.empty()) write_converge_report(info, series, options.report);
-    fmt::print("{}", converge_table(series, terminal_style()));
+    if (!options.json.empty()) write_file(options.json, reports::converge_json(info, series, truths));
+    if (!options.report.empty()) reports::write_converge_report(info, series, options.report);
+    fmt::print("{}", reports::converge_table(series, terminal_style()));
     for (const std::string& truth : truths) fmt::print("truth of {}\n", truth);
     if (!options.report.empty()) fmt::print("report: {}\n", options.report);
     return 0;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

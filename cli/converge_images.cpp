@@ -12,7 +12,7 @@
 #include "reports/text/text.h"
 #include "verification/pictures/image_convergence.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 struct ReferencePicture {
@@ -82,22 +82,25 @@ void print(const std::vector<RendersAt>& groups, const Series& series, double po
         const ConvergencePoint& p = series.points[i];
         const double cost = timed ? p.seconds : static_cast<double>(p.n);
         rows.push_back(
-            {std::to_string(p.n), std::to_string(groups[i].renders.size()), readable(p.seconds), readable(p.mse),
-             fmt::format("[{}, {}]", readable(p.mse_interval.low), readable(p.mse_interval.high)),
-             readable(p.mse / power), fmt::format("{} ± {}", readable(p.bias), readable(p.bias_standard_error)),
-             p.mse > 0 ? readable(1 / (p.mse * cost)) : "–"});
+            {std::to_string(p.n), std::to_string(groups[i].renders.size()), reports::readable(p.seconds),
+             reports::readable(p.mse),
+             fmt::format("[{}, {}]", reports::readable(p.mse_interval.low), reports::readable(p.mse_interval.high)),
+             reports::readable(p.mse / power),
+             fmt::format("{} ± {}", reports::readable(p.bias), reports::readable(p.bias_standard_error)),
+             p.mse > 0 ? reports::readable(1 / (p.mse * cost)) : "–"});
     }
     fmt::print("{}slope {} [{}, {}]\n",
-               table({{"spp", Align::right},
-                      {"images", Align::right},
-                      {"seconds", Align::right},
-                      {"mse", Align::right},
-                      {"95 %"},
-                      {"relMSE", Align::right},
-                      {"bias ± standard error"},
-                      {timed ? "1/(mse·seconds)" : "1/(mse·spp)", Align::right}},
-                     rows, static_cast<std::size_t>(terminal_style().width)),
-               readable(series.slope.value), readable(series.slope.interval.low), readable(series.slope.interval.high));
+               reports::table({{"spp", reports::Align::right},
+                               {"images", reports::Align::right},
+                               {"seconds", reports::Align::right},
+                               {"mse", reports::Align::right},
+                               {"95 %"},
+                               {"relMSE", reports::Align::right},
+                               {"bias ± standard error"},
+                               {timed ? "1/(mse·seconds)" : "1/(mse·spp)", reports::Align::right}},
+                              rows, static_cast<std::size_t>(terminal_style().width)),
+               reports::readable(series.slope.value), reports::readable(series.slope.interval.low),
+               reports::readable(series.slope.interval.high));
 }
 
 }  // namespace
@@ -110,16 +113,16 @@ int converge_images(const ConvergeOptions& options) {
     const std::vector<RendersAt> groups = read_renders(files, reference);
     const Series series = series_of(groups, reference, options.images);
 
-    const RunInfo info = start_run(0, options.threads);
+    const reports::RunInfo info = start_run(0, options.threads);
     const std::string truth = fmt::format("{}: {}, whose own variance is {}", options.images, reference.file,
                                           reference.variance_known ? "subtracted" : "not known and not subtracted");
     const std::vector<Series> all{series};
-    if (!options.json.empty()) write_file(options.json, converge_json(info, all, std::vector{truth}));
-    if (!options.report.empty()) write_converge_report(info, all, options.report);
+    if (!options.json.empty()) write_file(options.json, reports::converge_json(info, all, std::vector{truth}));
+    if (!options.report.empty()) reports::write_converge_report(info, all, options.report);
     print(groups, series, power_of(reference.picture));
     fmt::print("truth of {}\n", truth);
     if (!options.report.empty()) fmt::print("report: {}\n", options.report);
     return 0;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -7,7 +7,7 @@
 #include "core/image.h"
 #include "core/random.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 using testing::HasSubstr;
@@ -85,4 +85,4 @@ TEST_F(ConvergeImages, AreToldWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -6,19 +6,19 @@
 #include "verification/runner.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 std::string verdicts(int threads) {
     const Catalogue catalogue = shipped_catalogue();
     const RunSetting setting{.seed = 20240229, .patterns = {"points/*", "debiasing/*"}, .threads = threads};
-    Results results;
+    reports::Results results;
     for (Judged& one : judge(catalogue, setting, [](const Judged&, std::size_t, std::size_t) {})) {
-        ClaimResult& result = results.claims.emplace_back();
+        reports::ClaimResult& result = results.claims.emplace_back();
         result.id = one.id();
         result.verdict = std::move(one.verdict);
     }
-    return to_json(without_side_records(std::move(results)));
+    return reports::to_json(reports::without_side_records(std::move(results)));
 }
 
 TEST(Determinism, OneThreadAndTwoGiveTheSameVerdicts) {
@@ -26,4 +26,4 @@ TEST(Determinism, OneThreadAndTwoGiveTheSameVerdicts) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "core/file.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 // Sets of points, of sobol and stratified samples, are as long as a pass.
@@ -24,7 +24,7 @@ void cut(RenderSettings& settings, std::uint32_t samples, std::uint32_t passes) 
 int explain(const ExplainOptions& options) {
     const auto estimator = estimator_of(options);
     if (!options.json.empty()) check_writable(options.json);
-    const RunInfo info = start_run(options.seed, 1);
+    const reports::RunInfo info = start_run(options.seed, 1);
     const Scene scene = load_scene(options);
     RenderSettings settings = settings_of(options, info.seed, scene.sensor().film());
     if (options.replicates > 0) cut(settings, options.samples_per_pixel, options.replicates);
@@ -35,4 +35,4 @@ int explain(const ExplainOptions& options) {
     return 0;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

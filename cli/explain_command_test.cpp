@@ -5,7 +5,7 @@
 #include "cli/command_test.h"
 #include "core/image.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 using testing::AllOf;
@@ -100,4 +100,4 @@ TEST_F(ExplainCommand, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::cli

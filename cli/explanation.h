@@ -3,7 +3,7 @@
 #include "cli/options.h"
 #include "integrators/drivers/explanation.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 /// A sample of a scene, explained, and what was asked for.
 struct ExplainedSample {
@@ -17,4 +17,4 @@ std::string explanation_text(const ExplainedSample& sample);
 /// For a program (docs/json.md): every number to the bit.
 std::string explanation_json(const ExplainedSample& sample);
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -5,10 +5,10 @@
 #include "integrators/paths/light_start.h"
 #include "reports/text/json_values.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
-using json_values::Json, json_values::number;
+using reports::json_values::Json, reports::json_values::number;
 
 Json to(const Vec3& v) {
     return {number(v.x), number(v.y), number(v.z)};
@@ -127,4 +127,4 @@ std::string explanation_json(const ExplainedSample& sample) {
     return json.dump(2) + '\n';
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -3,7 +3,7 @@
 #include "integrators/paths/light_start.h"
 #include "reports/text/text.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 std::string text(const Vec3& v) {
@@ -55,21 +55,21 @@ std::string light_text(const ExplainedSample& sample) {
 std::string findings_text(const ExplainedSample& sample) {
     std::vector<std::vector<std::string>> rows;
     for (const PathStory::Finding& f : sample.told.story.findings) {
-        const auto density = [](double pdf) { return pdf > 0 ? readable(pdf) : ""; };
+        const auto density = [](double pdf) { return pdf > 0 ? reports::readable(pdf) : ""; };
         rows.push_back({text(f.strategy), is_black(f.value()) ? "hidden" : fmt::format("{}", f.splat + 1),
                         density(f.pdf), density(f.rival), fmt::format("{:.6g}", f.weight), text(f.throughput),
                         text(f.light), f.source ? name_of_light(sample.scene, *f.source).text() : ""});
     }
     if (rows.empty()) return "no light was found\n";
-    return table({{"(s, t)"},
-                  {"splat", Align::right},
-                  {"pdf", Align::right},
-                  {"rival's", Align::right},
-                  {"weight", Align::right},
-                  {"throughput"},
-                  {"light"},
-                  {"of"}},
-                 rows, 160);
+    return reports::table({{"(s, t)"},
+                           {"splat", reports::Align::right},
+                           {"pdf", reports::Align::right},
+                           {"rival's", reports::Align::right},
+                           {"weight", reports::Align::right},
+                           {"throughput"},
+                           {"light"},
+                           {"of"}},
+                          rows, 160);
 }
 
 std::string splats_text(const ExplainedSample& sample) {
@@ -104,4 +104,4 @@ std::string explanation_text(const ExplainedSample& sample) {
     return said;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -3,7 +3,7 @@
 #include "cli/option_adders.h"
 
 // Options of the verbs that make images or judge them.
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 void add_share(CLI::App* verb, const std::string& name, double& share, const std::string& about) {
@@ -184,4 +184,4 @@ void add_check(CLI::App& app, CheckOptions& options) {
         "Example: plumb check render.exr --expect quad_light --edges all");
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

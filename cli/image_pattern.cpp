@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 namespace fs = std::filesystem;
 
@@ -85,4 +85,4 @@ std::vector<NamedImage> images_matching(const std::string& pattern) {
     return images;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

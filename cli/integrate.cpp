@@ -7,7 +7,7 @@
 #include "core/file.h"
 #include "core/parallel.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 constexpr const char* default_method = "sobol-owen";
@@ -33,7 +33,7 @@ std::vector<std::uint64_t> counts_up_to(std::uint64_t n) {
 }
 
 template <int D>
-Answer integrate(const UserIntegrand<D>& f, const IntegrateOptions& options, const RunInfo& info) {
+Answer integrate(const UserIntegrand<D>& f, const IntegrateOptions& options, const reports::RunInfo& info) {
     const Estimator<D>& method = method_for(f, options);
     const IndependentRun run = [&](std::uint64_t n, RandomStream& random) {
         const Function<D> own = f.value;
@@ -90,7 +90,7 @@ Answer integrate(const UserIntegrand<D>& f, const IntegrateOptions& options, con
 int integrate(const IntegrateOptions& options) {
     for (const std::string& file : {options.json, options.report})
         if (!file.empty()) check_writable(file);
-    RunInfo info = start_run(options.seed, options.threads);
+    reports::RunInfo info = start_run(options.seed, options.threads);
     info.patterns = fmt::format("{}", fmt::join(options.what, " "));
     const auto start = std::chrono::steady_clock::now();
     std::vector<Answer> answers;
@@ -109,4 +109,4 @@ int integrate(const IntegrateOptions& options) {
     return tell(answers, info, options);
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

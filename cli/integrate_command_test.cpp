@@ -6,7 +6,7 @@
 #include "cli/command_test.h"
 #include "core/random.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 using testing::AllOf;
@@ -195,4 +195,4 @@ TEST_F(IntegrateCommand, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::cli

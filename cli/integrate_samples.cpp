@@ -7,7 +7,7 @@
 #include "core/parallel.h"
 #include "estimators/reweighting/sample_weighting.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 void check_options(const IntegrateOptions& options) {
@@ -121,4 +121,4 @@ Answer integrate_samples(const IntegrateOptions& options) {
     return tables.front().columns == 2 ? integrate<1>(tables, options) : integrate<2>(tables, options);
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -8,7 +8,7 @@
 
 #include "cli/stop_signal.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 using clock = std::chrono::steady_clock;
@@ -66,4 +66,4 @@ int judge_watched(const Catalogue& catalogue, std::span<const Item> items, RunSe
     return signal.caught();
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -6,7 +6,7 @@
 
 #include "verification/runner.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 /// What is called in the caller's thread, at most a tenth of a second after a verdict: with those that came since.
 using Keep = std::function<void(std::vector<Judged>)>;
@@ -18,4 +18,4 @@ using Keep = std::function<void(std::vector<Judged>)>;
 int judge_watched(const Catalogue& catalogue, std::span<const Item> items, RunSetting setting, const Keep& keep,
                   const std::function<void(int signal)>& farewell);
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -4,7 +4,7 @@
 #include "reports/run/json.h"
 #include "reports/run/table.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 std::string sizes_of(const Claim& claim) {
@@ -16,8 +16,8 @@ std::string sizes_of(const Claim& claim) {
     throw std::logic_error("Sizes outside its enumeration");
 }
 
-std::vector<ListRow> claim_rows(const Catalogue& catalogue) {
-    std::vector<ListRow> rows;
+std::vector<reports::ListRow> claim_rows(const Catalogue& catalogue) {
+    std::vector<reports::ListRow> rows;
     for (const Claim& claim : catalogue.claims())
         rows.push_back({{"id", claim.id},
                         {"kind", to_string(claim.kind)},
@@ -29,8 +29,8 @@ std::vector<ListRow> claim_rows(const Catalogue& catalogue) {
     return rows;
 }
 
-std::vector<ListRow> mutant_rows(const Catalogue& catalogue) {
-    std::vector<ListRow> rows;
+std::vector<reports::ListRow> mutant_rows(const Catalogue& catalogue) {
+    std::vector<reports::ListRow> rows;
     for (const Claim& claim : catalogue.claims())
         for (const Mutant& mutant : claim.mutants)
             rows.push_back({{"id", claim.id + "/" + mutant.id}, {"of", claim.id}, {"defect", mutant.defect}});
@@ -50,9 +50,9 @@ int list(const ListOptions& options, const Lists& lists) {
         for (const auto& [name, rows] : lists) known.push_back(name);
         throw unknown_name("list", options.what, known);
     }
-    const std::vector<ListRow> rows = found->second();
-    fmt::print("{}", options.json ? list_json(rows) : list_table(rows, terminal_style()));
+    const std::vector<reports::ListRow> rows = found->second();
+    fmt::print("{}", options.json ? reports::list_json(rows) : reports::list_table(rows, terminal_style()));
     return 0;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -5,7 +5,7 @@
 
 int main(int argc, char** argv) {
     plumb::Catalogue catalogue;
-    const int failure = plumb::reporting_errors(argv, [&] {
+    const int failure = plumb::cli::reporting_errors(argv, [&] {
         plumb::register_claims(catalogue);
         return 0;
     });

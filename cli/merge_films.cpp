@@ -5,7 +5,7 @@
 #include "core/file.h"
 #include "scenes/film/film_part.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 int merge_films(const MergeOptions& options) {
     const std::filesystem::path out = options.image;
@@ -21,4 +21,4 @@ int merge_films(const MergeOptions& options) {
     return 0;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

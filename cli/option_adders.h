@@ -7,7 +7,7 @@
 #include "core/error.h"
 
 // What the sources that describe the verbs' options to CLI11 have in common.
-namespace plumb {
+namespace plumb::cli {
 
 // Turns an Error of one of our parsers into CLI11's, which names the option.
 template <class Parse>
@@ -35,4 +35,4 @@ void add_reference(CLI::App& app, ReferenceOptions& options);
 void add_compare(CLI::App& app, CompareOptions& options);
 void add_check(CLI::App& app, CheckOptions& options);
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "core/sample_counts.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 std::chrono::duration<double> parse_duration(const std::string& text) {
     double value = 0;
@@ -90,4 +90,4 @@ Shard parse_shard(const std::string& text) {
     return shard;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -10,7 +10,7 @@
 #include "core/sample_counts.h"
 #include "core/version.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 const CLI::Validator whole_number(
@@ -320,4 +320,4 @@ Options parse_options(int argc, const char* const* argv, VerbSet verbs) {
     return converge;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -13,7 +13,7 @@
 #include "verification/pictures/known_values.h"
 #include "verification/runner.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 /// A sampler in another process, put on trial instead of the catalogue.
 struct SamplerOptions {
@@ -188,4 +188,4 @@ std::pair<std::string, std::string> parse_definition(const std::string& text);
 /// "0,1" or "0,2,-1,1": both ends of each axis; throws Error.
 std::vector<double> parse_domain(const std::string& text);
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 template <class... Words>
@@ -130,4 +130,4 @@ TEST(ParseDomain, HasBothEndsOfEachAxis) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -12,20 +12,21 @@
 #include "reports/run/junit.h"
 #include "reports/run/table.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 std::filesystem::path real_path(const std::filesystem::path& file) {
     return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
 }
 
-int exit_code(const Results& results) {
+int exit_code(const reports::Results& results) {
     const auto claims = [&](Outcome outcome) {
-        return std::ranges::any_of(results.claims, [&](const ClaimResult& c) { return c.verdict.outcome == outcome; });
+        return std::ranges::any_of(results.claims,
+                                   [&](const reports::ClaimResult& c) { return c.verdict.outcome == outcome; });
     };
     const auto mutants = [&](Outcome outcome) {
         return std::ranges::any_of(results.mutants,
-                                   [&](const MutantResult& m) { return m.verdict.outcome == outcome; });
+                                   [&](const reports::MutantResult& m) { return m.verdict.outcome == outcome; });
     };
     if (claims(Outcome::refuted) || mutants(Outcome::holds)) return 1;
     if (claims(Outcome::undecided) || mutants(Outcome::undecided)) return 3;
@@ -47,16 +48,16 @@ void check_outputs(const Outputs& outputs) {
     }
 }
 
-int publish(const Results& results, std::int64_t run, const Outputs& outputs) {
-    if (!outputs.json.empty()) write_file(outputs.json, to_json(results));
-    if (!outputs.junit.empty()) write_file(outputs.junit, junit_xml(results));
-    if (!outputs.report.empty()) write_report(results, {}, outputs.report);
-    fmt::print("{}", verdict_table(results, terminal_style()));
-    for (const ClaimResult& claim : results.claims)  // what the table's width may have cut off
+int publish(const reports::Results& results, std::int64_t run, const Outputs& outputs) {
+    if (!outputs.json.empty()) write_file(outputs.json, reports::to_json(results));
+    if (!outputs.junit.empty()) write_file(outputs.junit, reports::junit_xml(results));
+    if (!outputs.report.empty()) reports::write_report(results, {}, outputs.report);
+    fmt::print("{}", reports::verdict_table(results, terminal_style()));
+    for (const reports::ClaimResult& claim : results.claims)  // what the table's width may have cut off
         if (claim.verdict.outcome != Outcome::holds) fmt::print("{}: {}\n", claim.id, describe(claim.verdict));
     fmt::print("run {} in {}, seed {}, {:.1f} s{}\n", run, outputs.store, results.run.seed, results.run.seconds,
                outputs.report.empty() ? "" : "; report: " + outputs.report);
     return exit_code(results);
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

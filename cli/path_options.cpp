@@ -4,7 +4,7 @@
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 PathLimits limits_of(const PathOptions& options) {
     PathLimits limits{options.max_depth, options.roulette_depth, options.length};
@@ -29,4 +29,4 @@ RenderSettings settings_of(const PathOptions& options, std::uint64_t seed, FilmS
     return with_samples(settings, options.samples_per_pixel);
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -7,7 +7,7 @@
 #include "integrators/references/provenance.h"
 #include "reports/run/json.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 namespace {
 
@@ -35,7 +35,7 @@ void write_picture(const std::filesystem::path& file, const Film& film, const st
 }
 
 void write_side_record(const std::filesystem::path& file, const std::vector<Field>& record) {
-    write_file(file.string() + ".json", list_json(std::vector<ListRow>{record}));
+    write_file(file.string() + ".json", reports::list_json(std::vector<reports::ListRow>{record}));
 }
 
 std::vector<Field> bad_values_of(const Film& film) {
@@ -49,4 +49,4 @@ void print_bad_values(const BadValues& bad) {
                bad.nan, bad.infinite, bad.negative);
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -6,7 +6,7 @@
 #include "reports/run/results.h"
 #include "scenes/film/film.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 /// The film's image in the format of the file's name: every layer and the metadata, the film's error among them, where
 /// it holds floats and names, else the colours that a person looks at. Missing folders are made.
@@ -18,4 +18,4 @@ std::vector<Field> bad_values_of(const Film& film);
 /// Says of values that should not be, where there are any.
 void print_bad_values(const BadValues& bad);
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -5,9 +5,9 @@
 namespace plumb {
 
 int run_program(int argc, char** argv, const Catalogue& catalogue) {
-    return reporting_errors(argv, [&] {
-        return std::visit(CatalogueVerbs{catalogue, catalogue_lists(catalogue)},
-                          parse_options(argc, argv, VerbSet::of_a_catalogue));
+    return cli::reporting_errors(argv, [&] {
+        return std::visit(cli::CatalogueVerbs{catalogue, cli::catalogue_lists(catalogue)},
+                          cli::parse_options(argc, argv, cli::VerbSet::of_a_catalogue));
     });
 }
 

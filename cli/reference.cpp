@@ -11,7 +11,7 @@
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 namespace {
 
@@ -57,4 +57,4 @@ int reference(const ReferenceOptions& options) {
     return render(to_file, [&] { return std::move(scene); });
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

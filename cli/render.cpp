@@ -13,7 +13,7 @@
 #include "scenes/film/film_part.h"
 #include "scenes/shipped/shipped.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,7 +104,7 @@ RenderedUntil rendered(const Scene& scene, const PathEstimator& estimator, const
     return {std::move(all), error, true};
 }
 
-std::vector<Field> side_record(const Rendered& rendered, const RunInfo& info) {
+std::vector<Field> side_record(const Rendered& rendered, const reports::RunInfo& info) {
     std::vector<Field> record{{"started", info.started},
                               {"seconds", info.seconds},
                               {"threads", static_cast<std::uint64_t>(info.threads)},
@@ -133,7 +133,7 @@ int render(const RenderOptions& options, const std::function<Scene()>& load) {
     const fs::path out = output_of(options, file);
     check_writable(out);
     if (!options.shard) check_image_format(out);
-    RunInfo info = start_run(options.seed, options.threads);
+    reports::RunInfo info = start_run(options.seed, options.threads);
     const Scene scene = load();
     RenderSettings settings = settings_of(options, info.seed, scene.sensor().film());
     if (options.time) settings.passes = 1u << 20;
@@ -165,4 +165,4 @@ int render(const RenderOptions& options, const std::function<Scene()>& load) {
     return 3;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

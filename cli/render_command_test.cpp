@@ -3,7 +3,7 @@
 #include "cli/command_test.h"
 #include "core/image.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 using testing::AllOf;
@@ -132,4 +132,4 @@ TEST_F(RenderCommand, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -8,7 +8,7 @@
 #include "reports/run/json.h"
 #include "reports/run/store.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,23 +27,24 @@ const Words little = {"verify", "debiasing/*", "--seed", "7"};
 
 /// What a run left in its JSON file, without side records.
 std::string json_of(const fs::path& file) {
-    return to_json(without_side_records(results_from_json(read_file(file), file.string())));
+    return reports::to_json(reports::without_side_records(reports::results_from_json(read_file(file), file.string())));
 }
 
-Results stored(const fs::path& file) {
-    const Store store(file, Store::Access::read);
+reports::Results stored(const fs::path& file) {
+    const reports::Store store(file, reports::Store::Access::read);
     EXPECT_THAT(store.runs(), SizeIs(1));
     return store.load(1);
 }
 
 std::string comparable(const fs::path& store) {
-    return to_json(without_side_records(stored(store)));
+    return reports::to_json(reports::without_side_records(stored(store)));
 }
 
 void wait_for_a_verdict(const fs::path& store) {
     const auto has_one = [&] {
         if (!fs::exists(store) || fs::file_size(store) == 0) return false;
-        const Results results = Store(store, Store::Access::read).runs().empty() ? Results() : stored(store);
+        const reports::Results results =
+            reports::Store(store, reports::Store::Access::read).runs().empty() ? reports::Results() : stored(store);
         return !results.claims.empty();
     };
     for (const auto give_up = clock::now() + std::chrono::minutes(2); !has_one() && clock::now() < give_up;)
@@ -111,4 +112,4 @@ TEST(Shards, MakeUpTheRunWithoutShards) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -11,10 +11,10 @@
 #include "core/random.h"
 #include "core/version.h"
 
-namespace plumb {
+namespace plumb::cli {
 
-RunInfo start_run(std::optional<std::uint64_t> seed, int threads) {
-    RunInfo run;
+reports::RunInfo start_run(std::optional<std::uint64_t> seed, int threads) {
+    reports::RunInfo run;
     run.seed = seed ? *seed : fresh_seed();
     run.threads = threads > 0 ? threads : hardware_threads();
     run.version = version;
@@ -23,8 +23,8 @@ RunInfo start_run(std::optional<std::uint64_t> seed, int threads) {
     return run;
 }
 
-TableStyle terminal_style() {
-    TableStyle style;
+reports::TableStyle terminal_style() {
+    reports::TableStyle style;
     winsize size{};
     if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col >= 60) style.width = size.ws_col;
     style.colour = isatty(STDOUT_FILENO) == 1 && !std::getenv("NO_COLOR");
@@ -47,4 +47,4 @@ void ProgressLine::show(std::string_view text) {
     std::fflush(stderr);
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

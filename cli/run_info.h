@@ -6,13 +6,13 @@
 #include "reports/run/results.h"
 #include "reports/run/table.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 /// A run that starts now: the seed (a new one when none is given) and the threads (the hardware's when 0).
-RunInfo start_run(std::optional<std::uint64_t> seed, int threads);
+reports::RunInfo start_run(std::optional<std::uint64_t> seed, int threads);
 
 /// Colour and width as standard output allows.
-TableStyle terminal_style();
+reports::TableStyle terminal_style();
 
 /// Rewrites one line of standard error when that is a terminal, and is silent otherwise.
 class ProgressLine {
@@ -28,4 +28,4 @@ private:
     bool terminal_;
 };
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -9,7 +9,7 @@
 #include "core/process.h"
 #include "verification/evidence/distribution.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 constexpr std::string_view claim_id = "sampler/density";
@@ -127,4 +127,4 @@ Catalogue sampler_catalogue(const SamplerOptions& options, std::uint64_t seed, d
     return catalogue;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 using testing::HasSubstr;
@@ -76,4 +76,4 @@ TEST(Sampler, MayPrintMoreThanItWasAskedFor) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace plumb {
+namespace plumb::cli {
 
 std::string SceneName::text() const {
     const std::string quoted = id.empty() ? "" : fmt::format(" '{}'", id);
@@ -36,4 +36,4 @@ std::string name_of_bsdf(const Bsdf& bsdf) {
     return names[bsdf.model.index()];
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -5,7 +5,7 @@
 #include "scenes/bsdfs/bsdf.h"
 #include "scenes/scene.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 /// A thing of a scene, as its file has it.
 struct SceneName {
@@ -26,4 +26,4 @@ SceneName name_of_light(const Scene& scene, std::size_t light);
 /// The closure's plugin in Mitsuba's XML, e.g. "roughconductor".
 std::string name_of_bsdf(const Bsdf& bsdf);
 
-}  // namespace plumb
+}  // namespace plumb::cli

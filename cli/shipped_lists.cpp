@@ -5,11 +5,11 @@
 #include "scenes/mitsuba/plugins.h"
 #include "scenes/shipped/shipped.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 template <int D>
-void append_integrands(std::vector<ListRow>& rows) {
+void append_integrands(std::vector<reports::ListRow>& rows) {
     for (const Integrand<D>& f : integrands<D>())
         rows.push_back({{"id", f.id},
                         {"dimension", std::uint64_t{D}},
@@ -23,7 +23,7 @@ void append_integrands(std::vector<ListRow>& rows) {
 }
 
 template <int D>
-void append_estimators(std::vector<ListRow>& rows) {
+void append_estimators(std::vector<reports::ListRow>& rows) {
     for (const Estimator<D>& e : estimators<D>())
         rows.push_back({{"id", e.id},
                         {"dimension", std::uint64_t{D}},
@@ -32,30 +32,30 @@ void append_estimators(std::vector<ListRow>& rows) {
                         {"source", e.source}});
 }
 
-std::vector<ListRow> integrator_rows() {
-    std::vector<ListRow> rows;
+std::vector<reports::ListRow> integrator_rows() {
+    std::vector<reports::ListRow> rows;
     for (const NamedIntegrator& i : integrators())
         rows.push_back({{"id", i.id}, {"summary", i.summary}, {"source", i.source}});
     return rows;
 }
 
-std::vector<ListRow> scene_rows() {
-    std::vector<ListRow> rows;
+std::vector<reports::ListRow> scene_rows() {
+    std::vector<reports::ListRow> rows;
     for (const ShippedScene& scene : shipped_scenes())
         rows.push_back({{"id", scene.name}, {"question", scene.question}, {"file", scene.file.string()}});
     return rows;
 }
 
-std::vector<ListRow> plugin_rows(std::string_view kind) {
-    std::vector<ListRow> rows;
+std::vector<reports::ListRow> plugin_rows(std::string_view kind) {
+    std::vector<reports::ListRow> rows;
     for (const Plugin& plugin : known_plugins())
         if (plugin.kind == kind) rows.push_back({{"id", plugin.name}, {"summary", plugin.summary}});
     return rows;
 }
 
 template <auto append_1d, auto append_2d>
-std::vector<ListRow> both_dimensions() {
-    std::vector<ListRow> rows;
+std::vector<reports::ListRow> both_dimensions() {
+    std::vector<reports::ListRow> rows;
     append_1d(rows);
     append_2d(rows);
     return rows;
@@ -74,4 +74,4 @@ Lists shipped_lists(const Catalogue& catalogue) {
     return lists;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <csignal>
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 std::atomic<int> noted = 0;  // any thread may take the signal
@@ -42,4 +42,4 @@ int StopSignal::caught() {
     return noted;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace plumb {
+namespace plumb::cli {
 
 /// While it lives, the first SIGINT or SIGTERM is only noted; the second ends the program at once. A signal that was
 /// ignored when the program started (nohup, a job in the background) stays ignored.
@@ -15,4 +15,4 @@ public:
     [[nodiscard]] static int caught();
 };
 
-}  // namespace plumb
+}  // namespace plumb::cli

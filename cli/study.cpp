@@ -12,11 +12,11 @@
 #include "studies/shipped.h"
 #include "studies/study_file.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 int list_studies() {
-    std::vector<ListRow> rows;
+    std::vector<reports::ListRow> rows;
     for (const auto& [name, text] : shipped_studies()) {
         const Study study = parse_study(text, std::string(name) + ".toml");
         rows.push_back({{"name", study.about.name},
@@ -28,7 +28,7 @@ int list_studies() {
                     {"figures", std::uint64_t{0}},
                     {"source", "ours, docs/statistics.md"},
                     {"title", "What a verdict costs, in samples"}});
-    fmt::print("{}", list_table(rows, terminal_style()));
+    fmt::print("{}", reports::list_table(rows, terminal_style()));
     return 0;
 }
 
@@ -56,11 +56,11 @@ int study(const StudyOptions& options) {
         for (FigurePlan& figure : study.figures) figure.replicates = *options.replicates;
 
     const std::string folder = options.out.empty() ? "out/study-" + study.about.name : options.out;
-    check_replaceable(folder, {".html", ".csv", ".svg"});  // before the work
+    reports::check_replaceable(folder, {".html", ".csv", ".svg"});  // before the work
 
-    StudyResult result{.run = start_run(options.seed ? options.seed : study.seed, options.threads),
-                       .about = study.about,
-                       .figures = {}};
+    reports::StudyResult result{.run = start_run(options.seed ? options.seed : study.seed, options.threads),
+                                .about = study.about,
+                                .figures = {}};
     const Run run(result.run.seed, "study", 1);
     const auto start = std::chrono::steady_clock::now();
     {
@@ -70,9 +70,10 @@ int study(const StudyOptions& options) {
         });
     }
     result.run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    write_folder(folder, study_files(result));
-    fmt::print("{}study: {}/index.html, {:.1f} s\n", study_table(result, terminal_style()), folder, result.run.seconds);
+    reports::write_folder(folder, reports::study_files(result));
+    fmt::print("{}study: {}/index.html, {:.1f} s\n", reports::study_table(result, terminal_style()), folder,
+               result.run.seconds);
     return 0;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

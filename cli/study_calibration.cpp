@@ -5,7 +5,7 @@
 #include "reports/text/text.h"
 #include "verification/evidence/cost_of_a_verdict.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 std::string markdown(const std::vector<CostOfAVerdict>& rows, const CostSetting& setting) {
@@ -19,13 +19,13 @@ std::string markdown(const std::vector<CostOfAVerdict>& rows, const CostSetting&
     for (const CostOfAVerdict& row : rows)
         text += fmt::format(
             "| {:g} | {:.0f} ± {:.0f} | {:.3g} | {} | {:.1f} % | {:.1f} % | {:.1f} % | {:.1f} % | {:.1f} % |\n",
-            row.bias, row.mean_samples, row.standard_error, row.fraction, readable(row.wald), 100 * row.holds,
+            row.bias, row.mean_samples, row.standard_error, row.fraction, reports::readable(row.wald), 100 * row.holds,
             100 * row.refuted, 100 * row.undecided, 100 * row.fixed_1e5, 100 * row.fixed_1e6);
     return text;
 }
 
 std::string json(const std::vector<CostOfAVerdict>& rows) {
-    std::vector<ListRow> objects;
+    std::vector<reports::ListRow> objects;
     for (const CostOfAVerdict& row : rows)
         objects.push_back({{"bias_over_delta", row.bias},
                            {"samples", row.mean_samples},
@@ -37,7 +37,7 @@ std::string json(const std::vector<CostOfAVerdict>& rows) {
                            {"undecided", row.undecided},
                            {"fixed_1e5_rejects", row.fixed_1e5},
                            {"fixed_1e6_rejects", row.fixed_1e6}});
-    return list_json(objects);
+    return reports::list_json(objects);
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ int study_calibration(const StudyOptions& options) {
     CostSetting setting;
     if (options.replicates) setting.replicates = *options.replicates;
     const std::filesystem::path folder = options.out.empty() ? "out/study-calibration" : options.out;
-    const RunInfo info = start_run(options.seed, options.threads);
+    const reports::RunInfo info = start_run(options.seed, options.threads);
     std::vector<CostOfAVerdict> rows;
     with_threads(info.threads, [&] {
         rows = cost_of_a_verdict(setting, {0, 0.5, 1, 1.5, 2, 5, 10}, Run(info.seed, "study calibration", 1));
@@ -58,4 +58,4 @@ int study_calibration(const StudyOptions& options) {
     return 0;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

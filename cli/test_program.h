@@ -13,7 +13,7 @@
 #include "core/file.h"
 #include "core/test_folder.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 /// The real program, running in a folder of its own with its output in files beside it.
 class Program {
@@ -65,4 +65,4 @@ private:
     int code_ = -1;
 };
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -7,7 +7,7 @@
 #include "core/box.h"
 #include "core/error.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 template <int D>
@@ -147,4 +147,4 @@ SampleSet<D> samples_of(const NumberTable& table, const std::vector<double>& dom
 template SampleSet<1> samples_of<1>(const NumberTable&, const std::vector<double>&);
 template SampleSet<2> samples_of<2>(const NumberTable&, const std::vector<double>&);
 
-}  // namespace plumb
+}  // namespace plumb::cli

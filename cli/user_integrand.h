@@ -9,7 +9,7 @@
 #include "core/csv.h"
 #include "estimators/estimator.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 /// What a person may ask to integrate.
 enum class InputKind { formula, shipped, image, samples };
@@ -40,4 +40,4 @@ std::vector<Point<D>> places_of(const NumberTable& table, const std::vector<doub
 template <int D>
 SampleSet<D> samples_of(const NumberTable& table, const std::vector<double>& domain);
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "core/random.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 int CatalogueVerbs::operator()(const VerifyOptions& options) const {
     if (options.sampler.command.empty()) return verify(options, catalogue);
@@ -35,4 +35,4 @@ int reporting_errors(char** argv, const std::function<int()>& body) {
     }
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -5,7 +5,7 @@
 
 #include "cli/commands.h"
 
-namespace plumb {
+namespace plumb::cli {
 
 /// What a program does with the options it was given: the verbs that need nothing but a catalogue. A program with more
 /// verbs derives from it.
@@ -28,4 +28,4 @@ struct CatalogueVerbs {
 /// after the program's name, and exit code 2.
 int reporting_errors(char** argv, const std::function<int()>& body);
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -12,22 +12,22 @@
 #include "core/version.h"
 #include "reports/run/store.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 /// A run that is stored, and what of it is still to be judged.
 struct Plan {
-    RunInfo run;
+    reports::RunInfo run;
     std::int64_t number = 0;
     std::vector<Item> items = {};
     std::size_t done = 0;  ///< verdicts that are stored already
 };
 
-Size size_of(const RunInfo& run) {
+Size size_of(const reports::RunInfo& run) {
     return run.size == "full" ? Size::full : Size::quick;
 }
 
-std::vector<std::string> patterns_of(const RunInfo& run) {
+std::vector<std::string> patterns_of(const reports::RunInfo& run) {
     std::istringstream words(run.patterns);
     return {std::istream_iterator<std::string>(words), {}};
 }
@@ -40,8 +40,8 @@ std::string fingerprint(const Catalogue& catalogue, const std::vector<Item>& ite
     return fmt::format("{:016x}", stream_id(all));
 }
 
-std::vector<ErratumEntry> errata_of(const Catalogue& catalogue) {
-    std::vector<ErratumEntry> entries;
+std::vector<reports::ErratumEntry> errata_of(const Catalogue& catalogue) {
+    std::vector<reports::ErratumEntry> entries;
     for (const Erratum& e : catalogue.errata()) entries.push_back({e.source, e.printed, e.correct, e.claim});
     return entries;
 }
@@ -57,14 +57,15 @@ Plan new_plan(const Catalogue& catalogue, const VerifyOptions& options) {
     plan.run.selected = selected.size();
     plan.run.fingerprint = fingerprint(catalogue, selected, size_of(plan.run));
     plan.items = shard_of(selected, options.shard);
-    plan.number = Store(options.store, Store::Access::append).begin(plan.run, errata_of(catalogue));
+    plan.number = reports::Store(options.store, reports::Store::Access::append).begin(plan.run, errata_of(catalogue));
     return plan;
 }
 
 Plan unfinished_plan(const Catalogue& catalogue, const VerifyOptions& options) {
-    const Store store(options.store, Store::Access::read);
-    const std::vector<StoredRun> runs = store.runs();
-    const auto stored = std::find_if(runs.rbegin(), runs.rend(), [](const StoredRun& r) { return !r.run.finished; });
+    const reports::Store store(options.store, reports::Store::Access::read);
+    const std::vector<reports::StoredRun> runs = store.runs();
+    const auto stored =
+        std::find_if(runs.rbegin(), runs.rend(), [](const reports::StoredRun& r) { return !r.run.finished; });
     if (stored == runs.rend())
         throw Error(fmt::format("{}: no run is unfinished: there is nothing to resume", options.store));
     Plan plan{stored->run, stored->id};
@@ -76,15 +77,15 @@ Plan unfinished_plan(const Catalogue& catalogue, const VerifyOptions& options) {
         throw Error(fmt::format("{}: the claims have changed since run {} was begun; verify them anew", options.store,
                                 plan.number));
     plan.items = shard_of(std::move(plan.items), {plan.run.shard, plan.run.shards});
-    const Results results = store.load(plan.number);
+    const reports::Results results = store.load(plan.number);
     std::set<std::uint64_t> judged;
-    for (const ClaimResult& claim : results.claims) judged.insert(claim.position);
-    for (const MutantResult& mutant : results.mutants) judged.insert(mutant.position);
+    for (const reports::ClaimResult& claim : results.claims) judged.insert(claim.position);
+    for (const reports::MutantResult& mutant : results.mutants) judged.insert(mutant.position);
     plan.done = std::erase_if(plan.items, [&](const Item& item) { return judged.contains(item.position); });
     return plan;
 }
 
-void append(Results& results, Judged one, double alpha_share) {
+void append(reports::Results& results, Judged one, double alpha_share) {
     const Claim& claim = *one.claim;
     if (one.mutant) {
         const bool killed = one.verdict.outcome == Outcome::refuted;
@@ -97,7 +98,7 @@ void append(Results& results, Judged one, double alpha_share) {
 }
 
 // Judges and stores what is left of the plan; returns the signal that ended it early, 0 for none.
-int carry_out(const Plan& plan, const Catalogue& catalogue, const VerifyOptions& options, Store& store) {
+int carry_out(const Plan& plan, const Catalogue& catalogue, const VerifyOptions& options, reports::Store& store) {
     const Size size = size_of(plan.run);
     const RunSetting setting{.seed = plan.run.seed,
                              .alpha = plan.run.alpha,
@@ -112,7 +113,7 @@ int carry_out(const Plan& plan, const Catalogue& catalogue, const VerifyOptions&
         done += judged.size();
         line.show(
             fmt::format("{}/{} {} {}", done, total, to_string(judged.back().verdict.outcome), judged.back().id()));
-        Results results;
+        reports::Results results;
         for (Judged& one : judged) {
             const double share = plan.run.alpha * catalogue.share(*one.claim, size);
             append(results, std::move(one), share);
@@ -135,10 +136,10 @@ int carry_out(const Plan& plan, const Catalogue& catalogue, const VerifyOptions&
 int verify(const VerifyOptions& options, const Catalogue& catalogue) {
     check_outputs(options);
     const Plan plan = options.resume ? unfinished_plan(catalogue, options) : new_plan(catalogue, options);
-    Store store(options.store, Store::Access::append);
+    reports::Store store(options.store, reports::Store::Access::append);
     if (const int signal = carry_out(plan, catalogue, options, store)) return 128 + signal;
     store.finish(plan.number);
     return publish(store.load(plan.number), plan.number, options);
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

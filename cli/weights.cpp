@@ -6,7 +6,7 @@
 #include "core/file.h"
 #include "estimators/reweighting/sample_weighting.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 template <int D>
@@ -67,4 +67,4 @@ int weights(const WeightsOptions& options) {
     return 0;
 }
 
-}  // namespace plumb
+}  // namespace plumb::cli

@@ -5,7 +5,7 @@
 #include "cli/command_test.h"
 #include "core/csv.h"
 
-namespace plumb {
+namespace plumb::cli {
 namespace {
 
 using testing::AllOf;
@@ -89,4 +89,4 @@ TEST_F(WeightsCommand, TakesAMillionPoints) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::cli

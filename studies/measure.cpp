@@ -21,9 +21,9 @@ std::vector<std::uint64_t> sample_counts(const Budget& budget, const Estimator<D
 }
 
 template <int D>
-FigurePanel measure_panel(const Study& study, const FigurePlan& plan, const Integrand<D>& integrand, const Run& run,
-                          const std::function<void(const std::string&)>& progress) {
-    FigurePanel panel{.integrand = integrand.id, .integral = integrand.integral_value(), .series = {}};
+reports::FigurePanel measure_panel(const Study& study, const FigurePlan& plan, const Integrand<D>& integrand,
+                                   const Run& run, const std::function<void(const std::string&)>& progress) {
+    reports::FigurePanel panel{.integrand = integrand.id, .integral = integrand.integral_value(), .series = {}};
     for (const std::string& id : plan.estimators) {
         const std::string what = fmt::format("{}: {} on {}", plan.about.id, id, integrand.id);
         progress(what);
@@ -38,8 +38,8 @@ FigurePanel measure_panel(const Study& study, const FigurePlan& plan, const Inte
     return panel;
 }
 
-FigurePanel measure_scene_panel(const FigurePlan& plan, const std::string& scene, const Run& run,
-                                const std::function<void(const std::string&)>& progress) {
+reports::FigurePanel measure_scene_panel(const FigurePlan& plan, const std::string& scene, const Run& run,
+                                         const std::function<void(const std::string&)>& progress) {
     const std::string what = fmt::format("{}: {} on {}", plan.about.id, fmt::join(plan.estimators, ", "), scene);
     progress(what);
     try {
@@ -91,11 +91,11 @@ std::uint64_t samples_within(std::uint64_t evaluations, const Estimator<D>& esti
 template std::uint64_t samples_within<1>(std::uint64_t, const Estimator<1>&, const Integrand<1>&, const Run&);
 template std::uint64_t samples_within<2>(std::uint64_t, const Estimator<2>&, const Integrand<2>&, const Run&);
 
-std::vector<FigureResult> measure_study(const Study& study, const Run& run,
-                                        const std::function<void(const std::string&)>& progress) {
-    std::vector<FigureResult> figures;
+std::vector<reports::FigureResult> measure_study(const Study& study, const Run& run,
+                                                 const std::function<void(const std::string&)>& progress) {
+    std::vector<reports::FigureResult> figures;
     for (const FigurePlan& plan : study.figures) {
-        FigureResult& figure = figures.emplace_back(FigureResult{plan.about, {}});
+        reports::FigureResult& figure = figures.emplace_back(reports::FigureResult{plan.about, {}});
         for (const std::string& id : plan.integrands)
             figure.panels.push_back(
                 knows_integrand<1>(id)   ? measure_panel(study, plan, find_integrand<1>(id), run, progress)

@@ -22,7 +22,7 @@ std::uint64_t samples_within(std::uint64_t evaluations, const Estimator<D>& esti
                              const Run& run);
 
 /// Every figure of a study, measured; `progress` is told what comes next.
-std::vector<FigureResult> measure_study(const Study& study, const Run& run,
-                                        const std::function<void(const std::string& what)>& progress);
+std::vector<reports::FigureResult> measure_study(const Study& study, const Run& run,
+                                                 const std::function<void(const std::string& what)>& progress);
 
 }  // namespace plumb

@@ -31,9 +31,9 @@ estimators = ["independent"]
 integrands = ["exp-sum"]
 )";
 
-StudyResult measured_study(int threads = 1) {
+reports::StudyResult measured_study(int threads = 1) {
     const Study study = parse_study(tiny, "tiny.toml");
-    StudyResult result{.run = {}, .about = study.about, .figures = {}};
+    reports::StudyResult result{.run = {}, .about = study.about, .figures = {}};
     with_threads(threads, [&] { result.figures = measure_study(study, Run(5, "study", 1), [](const auto&) {}); });
     return result;
 }
@@ -49,10 +49,10 @@ std::vector<std::string> lines(const std::string& text) {
 }
 
 TEST(MeasureStudy, MeasuresEveryEstimatorOnEveryIntegrand) {
-    const StudyResult result = measured_study();
+    const reports::StudyResult result = measured_study();
     ASSERT_EQ(result.figures.size(), 2U);
     ASSERT_EQ(result.figures[0].panels.size(), 2U);
-    const FigurePanel& exponential = result.figures[0].panels[0];
+    const reports::FigurePanel& exponential = result.figures[0].panels[0];
     EXPECT_EQ(exponential.integrand, "exp");
     EXPECT_DOUBLE_EQ(exponential.integral, std::exp(1.0) - 1);
     ASSERT_EQ(exponential.series.size(), 3U);
@@ -64,7 +64,7 @@ TEST(MeasureStudy, MeasuresEveryEstimatorOnEveryIntegrand) {
 }
 
 TEST(MeasureStudy, GivesTheSameNumbersOnAnyNumberOfThreads) {
-    const StudyResult one = measured_study(1), two = measured_study(2);
+    const reports::StudyResult one = measured_study(1), two = measured_study(2);
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_EQ(one.figures[0].panels[1].series[1].points[i].mse, two.figures[0].panels[1].series[1].points[i].mse);
 }
@@ -78,9 +78,9 @@ TEST(SamplesWithin, IsTheLargestCountThatStaysWithin) {
 }
 
 TEST(StudyFiles, AreAPageATableAndPlots) {
-    const std::vector<FolderFile> files = study_files(measured_study());
+    const std::vector<reports::FolderFile> files = reports::study_files(measured_study());
     std::vector<std::string> names;
-    for (const FolderFile& file : files) names.push_back(file.name);
+    for (const reports::FolderFile& file : files) names.push_back(file.name);
     EXPECT_THAT(names, ElementsAre("index.html", "series.csv", "errors-exp-mse.svg", "errors-exp-bias.svg",
                                    "errors-square-mse.svg", "errors-square-bias.svg", "image.svg"));
     EXPECT_THAT(files[0].text, HasSubstr("<title>Plumb study: A tiny study"));
@@ -88,8 +88,8 @@ TEST(StudyFiles, AreAPageATableAndPlots) {
 }
 
 TEST(StudyFiles, HoldEveryPointAsARow) {
-    const StudyResult result = measured_study();
-    const std::vector<std::string> rows = lines(study_csv(result));
+    const reports::StudyResult result = measured_study();
+    const std::vector<std::string> rows = lines(reports::study_csv(result));
     ASSERT_EQ(rows.size(), 1U + 2 * 3 * 3 + 3);
     EXPECT_EQ(rows[0],
               "figure,estimator,integrand,n,evaluations,seconds,mse,mse_low,mse_high,bias,bias_standard_error,"
@@ -102,17 +102,17 @@ TEST(StudyFiles, HoldEveryPointAsARow) {
 }
 
 TEST(StudyFiles, QuoteNamesThatNeedIt) {
-    StudyResult result;
+    reports::StudyResult result;
     Series series;
     series.estimator = "a, \"b\"";
     series.points.push_back({.n = 1, .mse = std::nan("")});
     result.figures.push_back({{.id = "f"}, {{"exp", 1, {series}}}});
-    EXPECT_THAT(lines(study_csv(result))[1], StartsWith("f,\"a, \"\"b\"\"\",,1,0,0,,-inf,inf,0,0,0,1"));
+    EXPECT_THAT(lines(reports::study_csv(result))[1], StartsWith("f,\"a, \"\"b\"\"\",,1,0,0,,-inf,inf,0,0,0,1"));
 }
 
 TEST(StudyFiles, StandInTheirFolderTogether) {
     const TestFolder folder;
-    write_folder(folder / "study", study_files(measured_study()));
+    reports::write_folder(folder / "study", reports::study_files(measured_study()));
     EXPECT_THAT(read_file(folder / "study" / "series.csv"), StartsWith("figure,estimator"));
 }
 
@@ -127,8 +127,9 @@ estimators = ["direct-emitters", "direct-emitters+sobol"]
 integrands = ["quad_light:60,70,4,4"]
 )",
                                     "scene.toml");
-    const std::vector<FigureResult> figures = measure_study(study, plumb::Run(5, "study", 1), [](const auto&) {});
-    const FigurePanel& panel = figures.at(0).panels.at(0);
+    const std::vector<reports::FigureResult> figures =
+        measure_study(study, plumb::Run(5, "study", 1), [](const auto&) {});
+    const reports::FigurePanel& panel = figures.at(0).panels.at(0);
     EXPECT_EQ(panel.integrand, "quad_light:60,70,4,4");
     ASSERT_EQ(panel.series.size(), 2u);
     EXPECT_EQ(panel.series[1].estimator, "direct-emitters+sobol");

@@ -19,7 +19,7 @@ struct Budget {
 };
 
 struct FigurePlan {
-    FigureText about;
+    reports::FigureText about;
     std::vector<std::string> estimators, integrands;  ///< every one on every one; scenes may stand for integrands
     std::string reference = {};                       ///< of scenes, see SceneMeasure
     Budget budget;
@@ -28,7 +28,7 @@ struct FigurePlan {
 
 /// What a study compares: the value of its file (docs/studies.md).
 struct Study {
-    StudyText about;
+    reports::StudyText about;
     std::optional<std::uint64_t> seed;
     std::vector<Estimator<1>> estimators_1d;  ///< its own, beside the shipped ones
     std::vector<Estimator<2>> estimators_2d;

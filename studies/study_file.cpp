@@ -141,8 +141,10 @@ void read_measure(const Section& section, FigurePlan& plan) {
     if (section.has("n")) plan.budget = {Budget::Unit::samples, counts(section, "n")};
     if (section.has("evaluations")) plan.budget = {Budget::Unit::evaluations, counts(section, "evaluations")};
     if (section.has("replicates")) plan.replicates = section.count("replicates", 2, 100'000'000);
-    if (section.has("metrics")) plan.about.metrics = section.list<std::string>("metrics", "a metric", metric_from);
-    if (section.has("x")) plan.about.x = section.read("x", [&](const auto&) { return work_from(section.text("x")); });
+    if (section.has("metrics"))
+        plan.about.metrics = section.list<std::string>("metrics", "a metric", reports::metric_from);
+    if (section.has("x"))
+        plan.about.x = section.read("x", [&](const auto&) { return reports::work_from(section.text("x")); });
     if (section.has("reference")) plan.reference = section.text("reference");
     if (section.has("slopes")) plan.about.slopes = section.numbers("slopes");
 }
@@ -206,7 +208,8 @@ void check_estimators(const Study& study, const FigurePlan& plan, const Section&
         for (const std::string& id : plan.estimators) find_estimator<D>(study, id);
         return 0;
     });
-    const bool relative = std::ranges::find(plan.about.metrics, Metric::relative_mse) != plan.about.metrics.end();
+    const bool relative =
+        std::ranges::find(plan.about.metrics, reports::Metric::relative_mse) != plan.about.metrics.end();
     if (relative && std::abs(f.integral_value()) <= 1e-12 * f.root_mean_square())
         section.fail("metrics", fmt::format("relative_mse of '{}', whose integral is 0", f.id));
 }

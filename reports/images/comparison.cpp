@@ -7,7 +7,7 @@
 #include "reports/page/page_template.h"
 #include "reports/text/json_values.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 using json_values::Json, json_values::number, json_values::interval, json_values::for_script;
@@ -150,4 +150,4 @@ std::string comparison_html(const ComparisonReport& report) {
         {{"title", title}, {"style", page::comparison_style()}, {"data", text}, {"script", page::comparison_script()}});
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

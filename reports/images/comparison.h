@@ -5,7 +5,7 @@
 
 #include "verification/pictures/image_comparison.h"
 
-namespace plumb {
+namespace plumb::reports {
 
 /// A comparison with what was compared.
 struct ComparisonReport {
@@ -21,4 +21,4 @@ std::string comparison_json(const ComparisonReport& report);
 /// The comparison as one HTML page that needs nothing else: both pictures as floats, what they differ by and where.
 std::string comparison_html(const ComparisonReport& report);
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -7,7 +7,7 @@
 
 #include "reports/page/browse.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 using testing::AllOf, testing::HasSubstr, testing::Not;
@@ -106,4 +106,4 @@ TEST_F(PageInBrowser, ComparesPicturesOnAPhoneInTheDark) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -5,7 +5,7 @@
 #include "reports/text/json_values.h"
 #include "reports/text/text.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 using json_values::Json, json_values::number;
@@ -74,4 +74,4 @@ std::string values_table(const ValuesReport& report, const TableStyle& style) {
                  rows, static_cast<std::size_t>(style.width));
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

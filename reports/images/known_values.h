@@ -6,7 +6,7 @@
 #include "reports/run/table.h"
 #include "verification/pictures/known_values.h"
 
-namespace plumb {
+namespace plumb::reports {
 
 /// A check with what was checked.
 struct ValuesReport {
@@ -24,4 +24,4 @@ std::string values_json(const ValuesReport& report);
 /// A line for each value.
 std::string values_table(const ValuesReport& report, const TableStyle& style = {});
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -11,7 +11,7 @@
 #include "core/test_folder.h"
 
 // For tests of this folder: pages in a browser.
-namespace plumb {
+namespace plumb::reports {
 
 /// What a page and its browser said.
 struct Browsed {
@@ -69,4 +69,4 @@ protected:
     }
 };
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -3,7 +3,7 @@
 #include <string_view>
 
 // The files of reports/page/ and the chart library from its node_modules, as they were when the library was built.
-namespace plumb::page {
+namespace plumb::reports::page {
 
 std::string_view document();  ///< page.html, with {{style}} and the like where the others go
 std::string_view style();
@@ -13,4 +13,4 @@ std::string_view script();                                                      
 std::string_view comparison_document(), comparison_style(), comparison_script();  ///< likewise, of `plumb compare`
 std::string_view licences();                                                      ///< of d3 and plot
 
-}  // namespace plumb::page
+}  // namespace plumb::reports::page

@@ -3,7 +3,7 @@
 #include "reports/page/page_files.h"
 #include "reports/page/page_template.h"
 
-namespace plumb {
+namespace plumb::reports {
 
 std::string page_html(std::string_view title, std::string_view data) {
     const std::string heading = escaped(title);
@@ -16,4 +16,4 @@ std::string page_html(std::string_view title, std::string_view data) {
                                      {"script", page::script()}});
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

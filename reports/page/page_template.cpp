@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace plumb {
+namespace plumb::reports {
 
 std::string escaped(std::string_view text) {
     std::string safe;
@@ -24,4 +24,4 @@ std::string filled(std::string_view document, const std::vector<std::pair<std::s
     return html.append(document);
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace plumb {
+namespace plumb::reports {
 
 /// Text as HTML's.
 std::string escaped(std::string_view text);
@@ -14,4 +14,4 @@ std::string escaped(std::string_view text);
 /// in is never searched. Throws std::logic_error when the document lacks one.
 std::string filled(std::string_view document, const std::vector<std::pair<std::string, std::string_view>>& parts);
 
-}  // namespace plumb
+}  // namespace plumb::reports

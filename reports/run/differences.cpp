@@ -3,7 +3,7 @@
 #include <map>
 #include <string_view>
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 template <class Entry>
@@ -42,4 +42,4 @@ Differences diff_runs(const Results& before, const Results& after) {
     return d;
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

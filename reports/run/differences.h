@@ -5,7 +5,7 @@
 
 #include "reports/run/results.h"
 
-namespace plumb {
+namespace plumb::reports {
 
 /// A claim or mutant whose outcome is not the same in two runs.
 struct OutcomeChange {
@@ -24,4 +24,4 @@ struct Differences {
 /// What changed from `before` to `after`, in the order of `after` (removed things in the order of `before`).
 Differences diff_runs(const Results& before, const Results& after);
 
-}  // namespace plumb
+}  // namespace plumb::reports

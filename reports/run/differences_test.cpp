@@ -4,7 +4,7 @@
 
 #include "reports/run/sample_results.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 using testing::ElementsAre, testing::IsEmpty;
@@ -35,4 +35,4 @@ TEST(Differences, TurnRoundWithTheRuns) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -4,7 +4,7 @@
 #include "reports/page/page_html.h"
 #include "reports/run/page_data.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 std::string title(const Results& results) {
@@ -26,4 +26,4 @@ void write_converge_report(const RunInfo& run, std::span<const Series> series, c
     write_report(results, {}, file);
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

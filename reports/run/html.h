@@ -7,7 +7,7 @@
 
 #include "reports/run/results.h"
 
-namespace plumb {
+namespace plumb::reports {
 
 /// The report as one HTML page that needs nothing else: no network, no other file. Sections without content are left
 /// out. With `against`, an earlier run, a section lists what changed since.
@@ -19,4 +19,4 @@ void write_report(const Results& results, const std::optional<Results>& against,
 /// The page of `plumb converge`: convergence and work–precision only.
 void write_converge_report(const RunInfo& run, std::span<const Series> series, const std::filesystem::path& file);
 
-}  // namespace plumb
+}  // namespace plumb::reports

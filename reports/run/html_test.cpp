@@ -10,7 +10,7 @@
 #include "reports/page/browse.h"
 #include "reports/run/sample_results.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 using testing::AllOf, testing::HasSubstr, testing::Not;
@@ -115,4 +115,4 @@ TEST_F(PageInBrowser, OfAnEmptyRunIsNoError) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::reports

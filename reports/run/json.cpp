@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "reports/run/json_document.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 using json_values::Json, json_values::interval, json_values::number, json_values::text_of;
@@ -341,4 +341,4 @@ Series series_from_json(std::string_view text, std::string_view name) {
     return parsed(text, name, "the JSON of a series", series_of);
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -11,7 +11,7 @@
 
 // The JSON that Plumb writes is documented in docs/json.md. Numbers that JSON lacks: null is NaN (unknown), the strings
 // "inf" and "-inf" are the infinities. Keys come in a fixed order; new ones may be added, none is renamed or removed.
-namespace plumb {
+namespace plumb::reports {
 
 /// The whole of a run, one document, indented by two blanks.
 std::string to_json(const Results& results);
@@ -38,4 +38,4 @@ ClaimResult claim_from_json(std::string_view text, std::string_view name);
 MutantResult mutant_from_json(std::string_view text, std::string_view name);
 Series series_from_json(std::string_view text, std::string_view name);
 
-}  // namespace plumb
+}  // namespace plumb::reports

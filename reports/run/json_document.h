@@ -3,7 +3,7 @@
 #include "reports/run/results.h"
 #include "reports/text/json_values.h"
 
-namespace plumb {
+namespace plumb::reports {
 
 /// The document that to_json() writes, for pages that embed it. For the sources of reports/: it brings the JSON
 /// library.
@@ -13,4 +13,4 @@ json_values::Json json_document(const Results& results);
 /// without the figures that no page draws.
 json_values::Json page_document(const Results& results);
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -9,7 +9,7 @@
 #include "core/test_folder.h"
 #include "reports/run/sample_results.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 using testing::AllOf, testing::HasSubstr, testing::IsEmpty, testing::Not;
@@ -107,4 +107,4 @@ TEST(Json, WithAnUnknownOutcomeSaysWhatIsAccepted) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::reports

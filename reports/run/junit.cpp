@@ -6,7 +6,7 @@
 
 #include "reports/text/text.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 bool allowed_in_xml(unsigned code) {
@@ -145,4 +145,4 @@ std::string junit_xml(const Results& results) {
     return xml + "</testsuites>\n";
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

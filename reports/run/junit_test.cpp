@@ -4,7 +4,7 @@
 
 #include "reports/run/sample_results.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 using testing::AllOf, testing::HasSubstr;
@@ -64,4 +64,4 @@ TEST(Junit, FailsWhatIsRefutedAndMutantsThatLive) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::reports

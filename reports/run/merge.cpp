@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "reports/run/json.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 namespace fs = std::filesystem;
@@ -133,4 +133,4 @@ std::int64_t store_once(Store& store, const Results& results) {
     return store.append(results);
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -6,7 +6,7 @@
 #include "reports/run/json.h"
 #include "reports/run/sample_results.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 using testing::AllOf, testing::HasSubstr, testing::SizeIs;
@@ -108,4 +108,4 @@ TEST(Merge, RefusesTwoResultsOfOneShardThatDiffer) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::reports

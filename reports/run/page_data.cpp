@@ -3,7 +3,7 @@
 #include "reports/run/differences.h"
 #include "reports/run/json_document.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 using json_values::Json, json_values::for_script;
@@ -40,4 +40,4 @@ std::string page_data(const Results& results, const std::optional<Results>& agai
     return for_script(json);
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

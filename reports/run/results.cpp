@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace plumb {
+namespace plumb::reports {
 
 namespace {
 
@@ -47,4 +47,4 @@ std::string summary_line(const Results& results) {
                        t.killed, t.mutants);
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

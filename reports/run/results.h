@@ -8,7 +8,7 @@
 
 #include "verification/verdict.h"
 
-namespace plumb {
+namespace plumb::reports {
 
 /// What a run was asked for and how long it took. `started` and `seconds` are side records: no verdict depends on them.
 struct RunInfo {
@@ -72,4 +72,4 @@ Tally tally(const Results& results);
 /// `12 hold, 0 refuted, 1 undecided; mutants: 25 of 25 refuted`
 std::string summary_line(const Results& results);
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -248,4 +248,4 @@ Results earlier_sample_results() {
     return results;
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

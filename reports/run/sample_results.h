@@ -2,7 +2,7 @@
 
 #include "reports/run/results.h"
 
-namespace plumb {
+namespace plumb::reports {
 
 /// An invented run with everything that a report has to show: all kinds and outcomes, a living mutant, unknown and
 /// infinite numbers, text that HTML and JSON must escape, a confidence bound at or below zero, an error of exactly 0.
@@ -11,4 +11,4 @@ Results sample_results();
 /// An earlier run: one outcome is another, one claim is missing, one was there that is gone.
 Results earlier_sample_results();
 
-}  // namespace plumb
+}  // namespace plumb::reports

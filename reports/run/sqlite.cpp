@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-namespace plumb::sqlite {
+namespace plumb::reports::sqlite {
 namespace {
 
 void check(const Database& database, int code) {
@@ -116,4 +116,4 @@ void Transaction::commit() {
     open_ = false;
 }
 
-}  // namespace plumb::sqlite
+}  // namespace plumb::reports::sqlite

@@ -9,7 +9,7 @@ struct sqlite3;
 struct sqlite3_stmt;
 
 // The little of SQLite that the store needs, with its errors as plumb::Error naming the file.
-namespace plumb::sqlite {
+namespace plumb::reports::sqlite {
 
 [[noreturn]] void fail(const std::filesystem::path& file, int code, const char* message);
 
@@ -80,4 +80,4 @@ private:
     bool open_ = true;
 };
 
-}  // namespace plumb::sqlite
+}  // namespace plumb::reports::sqlite

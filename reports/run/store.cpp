@@ -10,7 +10,7 @@
 #include "reports/run/json.h"
 #include "reports/run/sqlite.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 namespace fs = std::filesystem;
@@ -234,4 +234,4 @@ std::vector<StoredRun> Store::runs() const {
     return found;
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -8,7 +8,7 @@
 
 #include "reports/run/results.h"
 
-namespace plumb {
+namespace plumb::reports {
 
 namespace sqlite {
 class Database;
@@ -54,4 +54,4 @@ private:
     std::unique_ptr<sqlite::Database> database_;
 };
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -13,7 +13,7 @@
 #include "reports/run/json.h"
 #include "reports/run/sample_results.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 using testing::AllOf, testing::HasSubstr, testing::SizeIs;
@@ -172,4 +172,4 @@ TEST(Store, NamesTheFileThatCannotBeMade) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::reports

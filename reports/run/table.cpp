@@ -4,7 +4,7 @@
 
 #include "reports/text/text.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 constexpr const char* green = "\033[32m";
@@ -177,4 +177,4 @@ std::string list_table(std::span<const ListRow> rows, const TableStyle& style) {
     return table(headings, cells, columns(style));
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -10,7 +10,7 @@
 
 // Tables for a terminal of `width` columns; a row is never broken, what is too long ends in "…". Colour repeats what
 // words say already, and is for terminals only.
-namespace plumb {
+namespace plumb::reports {
 
 struct TableStyle {
     bool colour = false;
@@ -32,4 +32,4 @@ std::string runs_table(std::span<const StoredRun> runs, const TableStyle& style 
 /// characters are shortened.
 std::string list_table(std::span<const ListRow> rows, const TableStyle& style = {});
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -7,7 +7,7 @@
 #include "reports/run/sample_results.h"
 #include "reports/text/text.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 using testing::AllOf, testing::EndsWith, testing::HasSubstr, testing::Not;
@@ -63,4 +63,4 @@ TEST(ListTable, TakesItsHeadingsFromTheFirstRow) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::reports

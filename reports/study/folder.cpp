@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "core/file.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace fs = std::filesystem;
 namespace {
 
@@ -59,4 +59,4 @@ void write_folder(const fs::path& given, const std::vector<FolderFile>& files) {
     fs::remove_all(before, ignored);
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

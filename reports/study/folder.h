@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace plumb {
+namespace plumb::reports {
 
 struct FolderFile {
     std::string name, text;
@@ -18,4 +18,4 @@ void check_replaceable(const std::filesystem::path& folder, const std::vector<st
 /// new one. Throws Error as check_replaceable() does with the files' own extensions, or naming what cannot be written.
 void write_folder(const std::filesystem::path& folder, const std::vector<FolderFile>& files);
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -5,7 +5,7 @@
 #include "core/file.h"
 #include "core/test_folder.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 namespace fs = std::filesystem;
@@ -51,4 +51,4 @@ TEST(WriteFolder, LeavesNothingWhenItFails) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::reports

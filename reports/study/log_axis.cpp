@@ -1,6 +1,6 @@
 #include "reports/study/log_axis.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 std::string superscript(int exponent) {
@@ -38,4 +38,4 @@ std::vector<Tick> ticks(const LogAxis& axis, bool powers_of_two, int most) {
     return list;
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

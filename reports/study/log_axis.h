@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace plumb {
+namespace plumb::reports {
 
 /// A logarithmic axis of a plot: from positive values to places.
 struct LogAxis {
@@ -24,4 +24,4 @@ struct Tick {
 /// At most about `most` powers of ten, or of two; 1, 2 and 5 times powers of ten where fewer than two powers would do.
 std::vector<Tick> ticks(const LogAxis& axis, bool powers_of_two, int most);
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 struct Named {
@@ -93,4 +93,4 @@ double exponent(Metric metric, double of_mse) {
     throw std::logic_error("a Metric outside its enumeration");
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

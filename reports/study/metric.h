@@ -6,7 +6,7 @@
 #include "verification/series.h"
 
 // The axes of a figure of error against work.
-namespace plumb {
+namespace plumb::reports {
 
 enum class Work { n, evaluations, seconds };
 std::string to_string(Work work);
@@ -35,4 +35,4 @@ Measured measured(Metric metric, const ConvergencePoint& point, double integral,
 /// The exponent of this metric where the MSE has exponent `of_mse`; NaN where it is no power of the MSE.
 double exponent(Metric metric, double of_mse);
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -5,7 +5,7 @@
 #include "core/test_folder.h"
 #include "reports/study/study_result.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 constexpr ConvergencePoint point{
@@ -53,4 +53,4 @@ TEST(EstimatorStyles, DifferInEveryFigureWhileColoursLast) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::reports

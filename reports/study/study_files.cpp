@@ -5,7 +5,7 @@
 #include "reports/study/study_page.h"
 #include "reports/study/svg_plot.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 std::string cell(std::string_view text) {
@@ -79,4 +79,4 @@ std::vector<FolderFile> study_files(const StudyResult& study) {
     return files;
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

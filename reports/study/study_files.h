@@ -5,7 +5,7 @@
 #include "reports/study/folder.h"
 #include "reports/study/study_result.h"
 
-namespace plumb {
+namespace plumb::reports {
 
 /// What a study leaves behind: index.html (needs nothing else), series.csv (a row for each point of each series) and
 /// one SVG for each integrand and metric of each figure.
@@ -15,4 +15,4 @@ std::vector<FolderFile> study_files(const StudyResult& study);
 /// replicates, integral. RFC 4180, numbers in full, a number that is not known an empty cell.
 std::string study_csv(const StudyResult& study);
 
-}  // namespace plumb
+}  // namespace plumb::reports

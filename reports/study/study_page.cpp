@@ -3,7 +3,7 @@
 #include "reports/page/page_html.h"
 #include "reports/run/json_document.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 using json_values::Json, json_values::for_script;
@@ -52,4 +52,4 @@ std::string study_html(const StudyResult& study) {
     return page_html("Plumb study: " + study.about.title, page_data(study));
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -4,9 +4,9 @@
 
 #include "reports/study/study_result.h"
 
-namespace plumb {
+namespace plumb::reports {
 
 /// The page of a study: each figure with its text, and controls to look at it otherwise.
 std::string study_html(const StudyResult& study);
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -1,6 +1,6 @@
 #include "reports/study/study_result.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 const EstimatorStyle* style_of(const std::vector<EstimatorStyle>& styles, std::string_view estimator) {
@@ -39,4 +39,4 @@ std::vector<EstimatorStyle> estimator_styles(const StudyResult& study) {
     return styles;
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -6,7 +6,7 @@
 #include "reports/run/results.h"
 #include "reports/study/metric.h"
 
-namespace plumb {
+namespace plumb::reports {
 
 /// What a figure of a study shows and how; as its file states it (docs/studies.md).
 struct FigureText {
@@ -51,4 +51,4 @@ struct EstimatorStyle {
 constexpr std::size_t series_colours = 8;
 std::vector<EstimatorStyle> estimator_styles(const StudyResult& study);
 
-}  // namespace plumb
+}  // namespace plumb::reports

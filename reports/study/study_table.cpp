@@ -2,7 +2,7 @@
 
 #include "reports/text/text.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 std::string expected(const Series& series) {
@@ -38,4 +38,4 @@ std::string study_table(const StudyResult& study, const TableStyle& style) {
     return table(columns, rows, static_cast<std::size_t>(style.width));
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -5,10 +5,10 @@
 #include "reports/run/table.h"
 #include "reports/study/study_result.h"
 
-namespace plumb {
+namespace plumb::reports {
 
 /// A line for each series of each figure: the error at the largest n, and the slope of log MSE on log n, fitted and
 /// expected.
 std::string study_table(const StudyResult& study, const TableStyle& style = {});
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -5,7 +5,7 @@
 #include "reports/study/log_axis.h"
 #include "reports/text/text.h"
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 // Okabe and Ito's palette, safe for colour-blind readers; the page's (page/style.css) in the same order.
@@ -175,4 +175,4 @@ std::string to_svg(const SvgPlot& plot) {
     return svg.text();
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

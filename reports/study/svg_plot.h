@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace plumb {
+namespace plumb::reports {
 
 /// A place on a line, with the band about it. The axes are logarithmic: a place that is not positive is left out; a low
 /// bound that is not, or an infinite high one, is drawn a factor of ten away, the former marked ▽.
@@ -28,4 +28,4 @@ struct SvgPlot {
 /// The plot as a file of its own: SVG 1.1 on a white ground, no script, no reference to anything else.
 std::string to_svg(const SvgPlot& plot);
 
-}  // namespace plumb
+}  // namespace plumb::reports

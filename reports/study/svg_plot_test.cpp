@@ -4,7 +4,7 @@
 
 #include <regex>
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 using testing::HasSubstr, testing::Not;
@@ -82,4 +82,4 @@ TEST(SvgPlot, OfOnePointHasTicks) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -7,7 +7,7 @@
 #include "core/interval.h"
 
 // Values as all our JSON writes them: see json.h. For the sources of this folder.
-namespace plumb::json_values {
+namespace plumb::reports::json_values {
 
 using Json = nlohmann::ordered_json;
 
@@ -38,4 +38,4 @@ inline std::string for_script(const Json& json) {
     return text;
 }
 
-}  // namespace plumb::json_values
+}  // namespace plumb::reports::json_values

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 bool starts_code_point(char byte) {
@@ -86,4 +86,4 @@ std::string table(const std::vector<Column>& columns, const std::vector<std::vec
     return text;
 }
 
-}  // namespace plumb
+}  // namespace plumb::reports

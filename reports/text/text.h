@@ -8,7 +8,7 @@
 #include "core/interval.h"
 
 // Numbers as a person reads them, and columns of text.
-namespace plumb {
+namespace plumb::reports {
 
 /// How many columns UTF-8 text takes (one a code point; we write no wide or combining characters).
 std::size_t columns_of(std::string_view text);
@@ -35,4 +35,4 @@ using Paint = std::string (*)(std::size_t column, const std::string& cell);
 std::string table(const std::vector<Column>& columns, const std::vector<std::vector<std::string>>& rows,
                   std::size_t width, Paint paint = nullptr);
 
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace plumb {
+namespace plumb::reports {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -45,4 +45,4 @@ TEST(Table, AlignsColumnsAndKeepsToTheWidth) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::reports

@@ -10,7 +10,7 @@
 #include "scenes/shipped/shipped.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using KindAndName = std::pair<std::string, std::string>;
@@ -92,4 +92,4 @@ TEST(Features, TheTableKnowsNoOthers) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::suites

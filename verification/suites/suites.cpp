@@ -1,6 +1,6 @@
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 Catalogue shipped_catalogue() {
     Catalogue catalogue;
@@ -57,4 +57,4 @@ Catalogue shipped_catalogue() {
     return catalogue;
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

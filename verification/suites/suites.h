@@ -2,7 +2,7 @@
 
 #include "verification/claim.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 /// Every claim that Plumb makes of itself, in the order of the report: the closed catalogue.
 Catalogue shipped_catalogue();
@@ -59,4 +59,4 @@ void add_bsdf_term_claims(Catalogue& catalogue);   ///< Fresnel's and the microf
 void add_compare_claims(Catalogue& catalogue);     ///< `plumb compare` on trial
 void add_compare_render_claims(Catalogue& catalogue);
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -8,7 +8,7 @@
 
 #include "verification/evidence/deterministic.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 /// Counts cases and keeps the first that fails.
 struct Tally {
@@ -25,4 +25,4 @@ struct Tally {
     }
 };
 
-}  // namespace plumb
+}  // namespace plumb::suites

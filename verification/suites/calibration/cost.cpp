@@ -4,7 +4,7 @@
 #include "verification/evidence/mean.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 Verdict costs_at_most(double fraction, double bias, const Run& run) {
@@ -42,4 +42,4 @@ void add_calibration_claims_of_cost(Catalogue& catalogue) {
              .sizes = each.sizes});
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

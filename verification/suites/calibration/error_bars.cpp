@@ -10,7 +10,7 @@
 #include "verification/evidence/mean.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 constexpr double student_t_127_at_975 = 1.9788195347, normal_at_975 = 1.9599639845400543;
@@ -84,4 +84,4 @@ void add_calibration_claims_of_error_bars(Catalogue& catalogue) {
     for (const auto* id : {"latin-hypercube", "cmj"}) add_replicated_claim<2>(catalogue, id, "exp-sum");
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

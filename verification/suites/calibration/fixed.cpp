@@ -10,7 +10,7 @@
 #include "verification/suites/calibration/laws.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 // ---- two cells, exactly ----
@@ -212,4 +212,4 @@ void add_calibration_claims_of_distributions(Catalogue& catalogue) {
     add_simulated_claims(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -8,7 +8,7 @@
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using Functions = formulas::Elementary<Real>;
@@ -165,4 +165,4 @@ void add_calibration_claims_of_functions(Catalogue& catalogue) {
         clopper_pearson_is_right, &clopper_pearson, "wald", "the textbook's p ± z sqrt(p (1 − p)/n)", &wald_interval);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -10,7 +10,7 @@
 #include "verification/evidence/mean.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 // Of the tests with holes: so small that no accident gives them away.
@@ -191,4 +191,4 @@ void add_calibration_claims_of_holes(Catalogue& catalogue) {
         "successes-only", "only the samples that succeeded are tested", lost_mass_ignored);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

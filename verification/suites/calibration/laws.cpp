@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -110,4 +110,4 @@ TiltedLaw spikes() {
             draw};
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -9,7 +9,7 @@
 #include "core/random.h"
 #include "verification/evidence/betting.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 // What the tests are tried on: laws with an exponential tilt. Rates of 1e-6 and less are reached by tilting: the test
 // runs under a law under which the rare outcome is common, and the outcome is weighted with the likelihood ratio, which
@@ -91,4 +91,4 @@ SimulatedRun simulate(Test test, const TiltedLaw& law, const std::vector<double>
     return run;
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

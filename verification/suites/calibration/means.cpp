@@ -10,7 +10,7 @@
 #include "verification/suites/calibration/laws.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using Decision = MeanTest::Decision;
@@ -310,4 +310,4 @@ void add_calibration_claims_of_means(Catalogue& catalogue) {
     add_heavy_tail_claims(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -10,7 +10,7 @@
 #include "verification/suites/calibration/laws.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 constexpr double level = 0.01;
@@ -96,4 +96,4 @@ void add_calibration_claims_of_slopes(Catalogue& catalogue) {
                    .sizes = Sizes::full_only});
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

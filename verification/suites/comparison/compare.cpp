@@ -7,7 +7,7 @@
 #include "verification/suites/comparison/compare_subjects.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using Colour = SyntheticRender::Colour;
@@ -228,4 +228,4 @@ void add_compare_claims(Catalogue& catalogue) {
                                 [](const Run& run) { return one_firefly(1600, false, run); }}}});
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -7,7 +7,7 @@
 #include "core/srgb.h"
 #include "verification/evidence/distributions.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 namespace {
 
@@ -114,4 +114,4 @@ Verdict pairs_are_not_refuted(const std::function<TwoSides(std::uint64_t number,
     return verdict;
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -5,7 +5,7 @@
 #include "verification/claim.h"
 #include "verification/pictures/image_comparison.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 // What the claims of `plumb compare` share: images of channels R, G, B and the variances of their means in this order,
 // what may be done to them, and what a comparison of two must find.
@@ -56,4 +56,4 @@ std::vector<Mutant> mutants_of(const std::vector<Spoiled>& spoiled);
 Verdict pairs_are_not_refuted(const std::function<TwoSides(std::uint64_t number, RandomStream& random)>& pair,
                               const Run& run);
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -11,7 +11,7 @@
 #include "verification/suites/direct/direct_subjects.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 // ---- a still life of 32x32 pixels
@@ -272,4 +272,4 @@ void add_compare_render_claims(Catalogue& catalogue) {
                                 [](const Run& run) { return honest_pairs(0.25, run); }}}});
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

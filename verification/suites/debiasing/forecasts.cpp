@@ -5,7 +5,7 @@
 #include "verification/suites/debiasing/telescoping_subjects.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 /// Evaluations counted for every K, weighted with its probability, against 2 + Σ 2^k P(K ≥ k).
@@ -135,4 +135,4 @@ void add_forecast_claims(Catalogue& catalogue) {
     });
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

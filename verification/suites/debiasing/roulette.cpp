@@ -9,7 +9,7 @@
 #include "verification/evidence/ratio.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 /// What a survivor counts, given its value and q; `survives` with q.
@@ -132,4 +132,4 @@ void add_roulette_claims(Catalogue& catalogue) {
     });
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

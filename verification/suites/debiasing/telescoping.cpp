@@ -6,7 +6,7 @@
 #include "verification/suites/debiasing/telescoping_subjects.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 // ---- finite telescoping, every outcome
@@ -271,4 +271,4 @@ void add_debiasing_claims(Catalogue& catalogue) {
     add_infinite_telescoping(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -5,7 +5,7 @@
 #include "estimators/debiasing/telescoping.h"
 #include "verification/evidence/mean.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 // Subjects of the claims about telescoping: sequences with known limits, their estimators, and distorted pmfs.
 
@@ -100,4 +100,4 @@ inline double reciprocal_from_powers(RandomStream& random) {
         1.0, [&](std::uint64_t) { return product *= y; }, Geometric(reciprocal_r), random);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -10,7 +10,7 @@
 #include "verification/evidence/distribution.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 /// The three functions of a density, so that a mutant can change one.
@@ -333,4 +333,4 @@ void add_density_claims(Catalogue& catalogue) {
     add_discrete(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

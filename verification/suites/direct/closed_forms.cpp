@@ -7,7 +7,7 @@
 #include "verification/suites/direct/direct_subjects.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 const Spectrum white = Spectrum::grey(1);
@@ -323,4 +323,4 @@ void add_direct_closed_form_claims(Catalogue& catalogue) {
                            {"counted-twice", "frame-of-the-world"}});
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -3,7 +3,7 @@
 #include "estimators/points/point_set_samples.h"
 #include "estimators/points/zero_two.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 AtFilmPoint::AtFilmPoint(const Scene& scene, const Point<2>& film, PrimarySamples& rest) : rest_(rest) {
     const Point<2> corner{std::floor(film[0]), std::floor(film[1])};
@@ -81,4 +81,4 @@ description::Sensor camera(Vec3 from, Vec3 at, double fov_x, int width, int heig
     return sensor;
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

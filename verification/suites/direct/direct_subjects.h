@@ -6,7 +6,7 @@
 #include "core/random.h"
 #include "integrators/estimators/direct.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 // What the claims direct/* share: scenes built from a few shapes, paths through a given film point, and an integrator
 // put together from the library's parts, so that mutants replace one of them.
@@ -77,4 +77,4 @@ description::Sensor camera(Vec3 from, Vec3 at, double fov_x = 20, int width = 1,
 /// A unit vector at a right angle to n.
 Vec3 perpendicular_to(Vec3 n);
 
-}  // namespace plumb
+}  // namespace plumb::suites

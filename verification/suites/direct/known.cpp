@@ -7,7 +7,7 @@
 #include "verification/suites/direct/direct_subjects.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 std::vector<KnownRadiance> direct_radiances(const ShippedScene& shipped) {
@@ -111,4 +111,4 @@ void add_direct_known_claims(Catalogue& catalogue) {
     }
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -12,7 +12,7 @@
 #include "verification/suites/direct/direct_subjects.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using Estimator = std::shared_ptr<const PathEstimator>;
@@ -293,4 +293,4 @@ void add_direct_pixel_claims(Catalogue& catalogue) {
     add_constant(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -9,7 +9,7 @@
 #include "verification/suites/direct/direct_subjects.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 constexpr double edge = 0.15, slope = 0.3;  // of the blocker
@@ -159,4 +159,4 @@ void add_direct_rate_claims(Catalogue& catalogue) {
                                     [=](const Run& run) { return converges(c.worse, c.n, c.exponents, run); }}}});
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

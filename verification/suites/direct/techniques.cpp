@@ -7,7 +7,7 @@
 #include "verification/suites/direct/direct_subjects.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using Estimator = std::shared_ptr<const PathEstimator>;
@@ -241,4 +241,4 @@ void add_direct_technique_claims(Catalogue& catalogue) {
     add_environment(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -6,7 +6,7 @@
 #include "verification/suites/direct/direct_subjects.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 const Spectrum white = Spectrum::grey(1);
@@ -182,4 +182,4 @@ void add_direct_visibility_claims(Catalogue& catalogue) {
     add_masks(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

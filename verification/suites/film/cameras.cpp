@@ -10,7 +10,7 @@
 #include "verification/suites/lights/jacobian.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 constexpr FilmSize size{8, 6};
@@ -229,4 +229,4 @@ void add_camera_claims(Catalogue& catalogue) {
     add_blur(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -11,7 +11,7 @@
 #include "verification/evidence/mean.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 // ---- order
@@ -238,4 +238,4 @@ void add_film_claims(Catalogue& catalogue) {
     for (const FilterCase& filter : filters()) add_filter(catalogue, filter);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

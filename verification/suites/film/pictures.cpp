@@ -11,7 +11,7 @@
 #include "verification/suites/suites.h"
 #include "verification/suites/transport/transport_subjects.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 // ---- the variance layer
@@ -247,4 +247,4 @@ void add_film_picture_claims(Catalogue& catalogue) {
          .mutants = {{"float", "Sums in float.", [](const Run& run) { return is_half(floats_of_halves, run); }}}});
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

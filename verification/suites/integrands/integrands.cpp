@@ -8,7 +8,7 @@
 #include "verification/evidence/mean.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 // ---- the answers against two quadratures ----
@@ -289,4 +289,4 @@ void add_integrand_claims(Catalogue& catalogue) {
     add_undecided_claim(catalogue, "inverse-power-0.9");
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -15,7 +15,7 @@
 #include "verification/evidence/mean.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 const Spectrum white = Spectrum::grey(1);
@@ -270,4 +270,4 @@ void add_light_irradiance_claims(Catalogue& catalogue) {
     add_choice(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -9,7 +9,7 @@
 #include "core/vec3.h"
 #include "verification/evidence/deterministic.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 /// Where a map from the unit square leads, in space or on the sphere, and the density that it states there.
 struct Mapped {
@@ -48,4 +48,4 @@ inline Verdict pdf_is_jacobian(const SquareMap& map) {
     return within_bound(cases, 1e-7, "of 1");
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

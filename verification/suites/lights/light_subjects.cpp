@@ -9,7 +9,7 @@
 #include "scenes/emitters/rectangle_light.h"
 #include "scenes/emitters/sphere_light.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 namespace {
 
@@ -200,4 +200,4 @@ std::vector<Light> lights() {
     return {rectangle(), disk(), mesh(), sphere(), inward_sphere(), constant(), environment(), point()};
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

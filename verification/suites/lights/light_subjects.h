@@ -7,7 +7,7 @@
 #include "scenes/emitters/emitter.h"
 #include "scenes/emitters/environment_map.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 /// An emitter on trial, with what is known of it by hand.
 struct Light {
@@ -39,4 +39,4 @@ std::vector<Light> lights();
 const EnvironmentMap& environment_map();
 const Frame& environment_frame();
 
-}  // namespace plumb
+}  // namespace plumb::suites

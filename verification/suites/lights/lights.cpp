@@ -9,7 +9,7 @@
 #include "verification/suites/lights/light_subjects.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 Point<2> two(RandomStream& random) {
@@ -179,4 +179,4 @@ void add_light_claims(Catalogue& catalogue) {
     add_environment_distribution(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

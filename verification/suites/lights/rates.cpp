@@ -9,7 +9,7 @@
 #include "verification/evidence/rate.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using Generate = std::vector<Point<2>> (*)(std::uint64_t n, RandomStream& random);
@@ -82,4 +82,4 @@ void add_light_rate_claims(Catalogue& catalogue) {
         "docs/statistics.md", owen_zero_two, true, powers, {-1.75, -1.25}, independent, independent_points<2>);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

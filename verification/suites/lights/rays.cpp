@@ -7,7 +7,7 @@
 #include "verification/suites/lights/light_subjects.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 Point<2> two(RandomStream& random) {
@@ -165,4 +165,4 @@ void add_light_ray_claims(Catalogue& catalogue) {
     for (const Light& light : lights()) add_one(catalogue, light);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

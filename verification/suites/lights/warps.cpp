@@ -7,7 +7,7 @@
 #include "verification/suites/lights/jacobian.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using Sample = std::function<Vec3(const Point<2>&)>;
@@ -142,4 +142,4 @@ void add_warp_claims(Catalogue& catalogue) {
     }
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

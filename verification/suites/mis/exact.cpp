@@ -8,7 +8,7 @@
 #include "verification/suites/mis/mis_subjects.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using Rationals = std::vector<Rational>;
@@ -310,4 +310,4 @@ void add_exact_mis_claims(Catalogue& catalogue) {
     });
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

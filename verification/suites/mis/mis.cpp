@@ -12,7 +12,7 @@
 #include "verification/suites/mis/mis_subjects.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using Rationals = std::vector<Rational>;
@@ -348,4 +348,4 @@ void add_mis_claims(Catalogue& catalogue) {
     });
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

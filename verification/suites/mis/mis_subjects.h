@@ -7,7 +7,7 @@
 
 #include "estimators/mis/mis.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 // Subjects of the claims about MIS: the library's weights and contributions, and mutants of them, over double or a
 // rational type.
@@ -94,4 +94,4 @@ Weights<T> plain_average() {
     };
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -13,7 +13,7 @@
 #include "verification/evidence/ratio.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 double exponential(const Point<1>& x) {
@@ -269,4 +269,4 @@ void add_variance_reduction_claims(Catalogue& catalogue) {
     add_registered(catalogue, importance_estimators_2d());
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

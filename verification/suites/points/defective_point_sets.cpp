@@ -8,7 +8,7 @@
 #include "estimators/points/sobol.h"
 #include "estimators/points/strata.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 template <int D>
 Generate<D> left_part_of_strata(Generate<D> generate, std::function<std::uint64_t(std::uint64_t n)> strata, double c) {
@@ -193,4 +193,4 @@ std::vector<Point<2>> hammersley_from_one(std::uint64_t n) {
     return points;
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

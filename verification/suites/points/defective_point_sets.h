@@ -7,7 +7,7 @@
 #include "core/point.h"
 #include "core/random.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 /// n points of [0,1)^D, as in PointSet.
 template <int D>
@@ -57,4 +57,4 @@ std::vector<Point<1>> xor_van_der_corput(std::uint64_t n, RandomStream& random);
 /// (i + 1)/n on the first axis.
 std::vector<Point<2>> hammersley_from_one(std::uint64_t n);
 
-}  // namespace plumb
+}  // namespace plumb::suites

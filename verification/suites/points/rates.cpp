@@ -16,7 +16,7 @@
 #include "verification/suites/points/defective_point_sets.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 /// An integrand drawn anew for each replicate, with its integral.
@@ -313,4 +313,4 @@ void add_point_rate_claims(Catalogue& catalogue) {
     add_rates_2d(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

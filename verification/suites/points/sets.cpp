@@ -18,7 +18,7 @@
 #include "verification/suites/points/defective_point_sets.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 constexpr std::uint64_t n = 6;
@@ -186,4 +186,4 @@ void add_point_set_claims(Catalogue& catalogue) {
     add_unbiased(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

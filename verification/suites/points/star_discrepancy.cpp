@@ -9,7 +9,7 @@
 #include "verification/suites/suites.h"
 #include "verification/suites/tally.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using Discrepancy = std::function<double(const std::vector<Point<2>>&)>;
@@ -106,4 +106,4 @@ void add_star_discrepancy_claims(Catalogue& catalogue) {
     });
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -14,7 +14,7 @@
 #include "verification/suites/suites.h"
 #include "verification/suites/tally.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 bool inside(const Point<2>& p) {
@@ -284,4 +284,4 @@ void add_point_structure_claims(Catalogue& catalogue) {
     add_halton(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -10,7 +10,7 @@
 #include "verification/suites/points/defective_point_sets.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 Verdict has_variance(const Generate<1>& generate, const Function<1>& f, std::uint64_t n, double variance,
@@ -130,4 +130,4 @@ void add_point_variance_claims(Catalogue& catalogue) {
     add_multi_jittered(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

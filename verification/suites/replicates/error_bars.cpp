@@ -9,7 +9,7 @@
 #include "verification/evidence/mean.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 /// e^x over n points that fill n strata, or one: what an error bar is asked about.
@@ -139,4 +139,4 @@ void add_error_bar_claims(Catalogue& catalogue) {
     add_coverage(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -11,7 +11,7 @@
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/reweighting/subjects_2d.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 std::vector<HardSet> corpus(const Run& run, std::size_t largest) {
@@ -143,4 +143,4 @@ void add_reweighting_2d_area_claims(Catalogue& catalogue) {
     add_disk(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

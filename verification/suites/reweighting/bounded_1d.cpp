@@ -10,7 +10,7 @@
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/reweighting/subjects_1d.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using Samples = std::vector<double>;
@@ -264,4 +264,4 @@ void add_reweighting_1d_bounded_claims(Catalogue& catalogue) {
                       }}}});
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

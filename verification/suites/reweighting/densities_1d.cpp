@@ -14,7 +14,7 @@
 #include "verification/suites/reweighting/exponential_1d.h"
 #include "verification/suites/reweighting/subjects_1d.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using namespace reweighting_1d;
@@ -227,4 +227,4 @@ void add_reweighting_1d_density_claims(Catalogue& catalogue) {
     add_strata_and_batches(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -2,7 +2,7 @@
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/reweighting/subjects_1d.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using PolynomialOfN = std::function<RationalPolynomial(int n)>;
@@ -157,4 +157,4 @@ void add_reweighting_1d_exact_claims(Catalogue& catalogue) {
                                 }}}});
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

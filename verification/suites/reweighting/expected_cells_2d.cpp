@@ -7,7 +7,7 @@
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/reweighting/subjects_2d.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 double one(const Point<2>&) {
@@ -164,4 +164,4 @@ void add_reweighting_2d_expected_cell_claims(Catalogue& catalogue) {
     });
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -10,7 +10,7 @@
 #include "verification/suites/reweighting/exponential_1d.h"
 #include "verification/suites/reweighting/subjects_1d.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using namespace reweighting_1d;
@@ -217,4 +217,4 @@ void add_reweighting_1d_mean_claims(Catalogue& catalogue) {
     add_control_variate(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

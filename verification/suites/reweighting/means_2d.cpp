@@ -1,7 +1,7 @@
 #include "verification/suites/reweighting/subjects_2d.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 void add_reweighting_2d_claims(Catalogue& catalogue) {
     add_reweighting_2d_area_claims(catalogue);
@@ -10,4 +10,4 @@ void add_reweighting_2d_claims(Catalogue& catalogue) {
     add_reweighting_2d_rate_claims(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

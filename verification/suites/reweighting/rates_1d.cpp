@@ -9,7 +9,7 @@
 #include "verification/evidence/rate.h"
 #include "verification/suites/reweighting/subjects_1d.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using Samples = std::vector<double>;
@@ -234,4 +234,4 @@ void add_reweighting_1d_rate_claims(Catalogue& catalogue) {
     add_fast(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

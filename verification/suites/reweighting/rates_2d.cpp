@@ -8,7 +8,7 @@
 #include "verification/evidence/rate.h"
 #include "verification/suites/reweighting/subjects_2d.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 double tented(const Point<2>& u) {
@@ -94,4 +94,4 @@ void add_reweighting_2d_rate_claims(Catalogue& catalogue) {
     });
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -2,7 +2,7 @@
 
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 void add_reweighting_1d_claims(Catalogue& catalogue) {
     add_reweighting_1d_exact_claims(catalogue);
@@ -44,4 +44,4 @@ void add_reweighting_1d_claims(Catalogue& catalogue) {
                           "reweighting/piecewise-strata/unbiased"});
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

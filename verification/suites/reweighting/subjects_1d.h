@@ -2,7 +2,7 @@
 
 #include "verification/claim.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 // The parts of the 1D claims of geometric sample reweighting, by kind of evidence and subject.
 void add_reweighting_1d_exact_claims(Catalogue& catalogue);
@@ -11,4 +11,4 @@ void add_reweighting_1d_mean_claims(Catalogue& catalogue);
 void add_reweighting_1d_density_claims(Catalogue& catalogue);
 void add_reweighting_1d_rate_claims(Catalogue& catalogue);
 
-}  // namespace plumb
+}  // namespace plumb::suites

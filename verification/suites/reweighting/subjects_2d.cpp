@@ -4,7 +4,7 @@
 #include "estimators/reweighting/reweighting_2d.h"
 #include "estimators/voronoi/voronoi_2d.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 double exp_sum(const Point<2>& x) {
     return std::exp(x[0] + x[1]);
@@ -55,4 +55,4 @@ std::vector<double> coincident_counted_fully(std::span<const Point<2>> samples) 
     return areas;
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

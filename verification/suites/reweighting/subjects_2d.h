@@ -13,7 +13,7 @@
 // What the claims of reweighting in the unit square share. Biases of mutants were measured with 4·10^4 samples or more,
 // those that g predicts computed; delta lies at a half to a quarter of the smallest.
 
-namespace plumb {
+namespace plumb::suites {
 
 void add_reweighting_2d_area_claims(Catalogue& catalogue);
 void add_reweighting_2d_torus_claims(Catalogue& catalogue);
@@ -42,4 +42,4 @@ std::vector<double> not_clipped(std::span<const Point<2>> samples);
 /// Each of several coincident samples gets the whole clipped cell.
 std::vector<double> coincident_counted_fully(std::span<const Point<2>> samples);
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -8,7 +8,7 @@
 #include "estimators/voronoi/voronoi_2d.h"
 #include "verification/suites/reweighting/subjects_2d.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 Check unbiased(const Function<2>& f, std::uint64_t n, const Weigh& weigh, double delta) {
@@ -112,4 +112,4 @@ void add_reweighting_2d_torus_claims(Catalogue& catalogue) {
     });
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace plumb {
+namespace plumb::suites {
 
 using checks::BsdfSubject;
 using U = std::array<double, 3>;
@@ -161,4 +161,4 @@ std::vector<NamedDefect> discrete_defects() {
     };
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -2,7 +2,7 @@
 
 #include "checks/bsdf/check_bsdf.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 // Defects that a surface of any model can have, as renderers have had them: each makes a wrong model of a right one.
 
@@ -42,4 +42,4 @@ std::vector<NamedDefect> defects_of_mixtures(double energy_factor);
 /// Of mirrors and smooth interfaces.
 std::vector<NamedDefect> discrete_defects();
 
-}  // namespace plumb
+}  // namespace plumb::suites

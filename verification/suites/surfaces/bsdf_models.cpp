@@ -9,7 +9,7 @@
 #include "verification/suites/suites.h"
 #include "verification/suites/surfaces/bsdf_defects.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using checks::BsdfSubject, checks::BsdfTraits, checks::subject_of;
@@ -280,4 +280,4 @@ void add_bsdf_model_claims(Catalogue& catalogue) {
         }
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

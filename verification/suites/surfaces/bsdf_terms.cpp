@@ -8,7 +8,7 @@
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 template <class R>
@@ -279,4 +279,4 @@ void add_bsdf_term_claims(Catalogue& catalogue) {
                      [](const Run&) { return term_is(beckmann, d_without_fourth_power, false); }});
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

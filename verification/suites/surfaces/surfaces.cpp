@@ -10,7 +10,7 @@
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 namespace {
 
@@ -365,4 +365,4 @@ void add_surface_claims(Catalogue& catalogue) {
                      {"no-offset", "a ray starts at the point rounded to floats", gap({.leaves = no_offset})}}});
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -8,7 +8,7 @@
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using description::Wrap;
@@ -170,4 +170,4 @@ void add_texture_claims(Catalogue& catalogue) {
                       })}}});
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

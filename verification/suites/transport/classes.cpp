@@ -9,7 +9,7 @@
 #include "verification/suites/suites.h"
 #include "verification/suites/transport/transport_subjects.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using Source = PathClass::Source;
@@ -158,4 +158,4 @@ void add_transport_class_claims(Catalogue& catalogue) {
                                 [](const Run& run) { return classes_are(no_caustics_of_points, run); }}}});
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -9,7 +9,7 @@
 #include "verification/suites/suites.h"
 #include "verification/suites/transport/transport_subjects.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 constexpr int longest = 4;
@@ -175,4 +175,4 @@ void add_transport_closed_claims(Catalogue& catalogue) {
     add_bdpt(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -5,7 +5,7 @@
 #include "verification/suites/suites.h"
 #include "verification/suites/transport/transport_subjects.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 struct Subject {
@@ -217,4 +217,4 @@ void add_transport_equal_claims(Catalogue& catalogue) {
     add_strategies(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -13,7 +13,7 @@
 #include "verification/suites/direct/direct_subjects.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using Estimator = std::shared_ptr<const PathEstimator>;
@@ -326,4 +326,4 @@ void add_path_claims(Catalogue& catalogue) {
     add_replay(catalogue);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

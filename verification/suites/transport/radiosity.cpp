@@ -10,7 +10,7 @@
 #include "verification/suites/direct/direct_subjects.h"
 #include "verification/suites/suites.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 using Plates = std::vector<RadiosityPlate>;
@@ -87,4 +87,4 @@ void add_transport_radiosity_claims(Catalogue& catalogue) {
     for (const RadiosityCase& subject : radiosity_cases()) add(catalogue, subject);
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

@@ -7,7 +7,7 @@
 #include "verification/suites/suites.h"
 #include "verification/suites/transport/transport_subjects.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 /// Whose numbers, under which name.
@@ -77,4 +77,4 @@ void add_transport_sampler_claims(Catalogue& catalogue) {
                       with({{"sobol", "independent"}})}}});
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

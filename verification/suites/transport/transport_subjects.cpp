@@ -6,7 +6,7 @@
 #include "estimators/points/zero_two.h"
 #include "integrators/drivers/splatting.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 using std::numbers::pi;
 
@@ -222,4 +222,4 @@ const Scene& glass_scene(PathClass::Source source) {
     return source == Source::surface ? surface : source == Source::point ? point : environment;
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites

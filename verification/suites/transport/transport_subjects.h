@@ -5,7 +5,7 @@
 #include "integrators/references/path_classes.h"
 #include "verification/suites/direct/direct_subjects.h"
 
-namespace plumb {
+namespace plumb::suites {
 
 // What the claims of light and bidirectional tracing share: small scenes, and the mean of a film region.
 
@@ -46,4 +46,4 @@ const Scene& plates_scene();
 /// Two balls of glass on a floor before a wall, lit by a surface, a point or the sky.
 const Scene& glass_scene(PathClass::Source source);
 
-}  // namespace plumb
+}  // namespace plumb::suites

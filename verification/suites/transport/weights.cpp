@@ -5,7 +5,7 @@
 #include "verification/suites/suites.h"
 #include "verification/suites/transport/transport_subjects.h"
 
-namespace plumb {
+namespace plumb::suites {
 namespace {
 
 constexpr int longest = 8;
@@ -208,4 +208,4 @@ void add_transport_weight_claims(Catalogue& catalogue) {
                       [](const Run& run) { return weights_are_of_densities(weight_of_wrong_vertex, run); }}}});
 }
 
-}  // namespace plumb
+}  // namespace plumb::suites
