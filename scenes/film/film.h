@@ -34,6 +34,8 @@ public:
 
     /// One sample of a pixel: the layers' values in their order, as many lanes of each as it has channels.
     void add(int x, int y, std::span<const Spectrum> values);
+    /// So many samples of a pixel that bring nothing to any layer.
+    void add_black(int x, int y, std::uint64_t count) { samples_[pixel(x, y)] += count; }
     /// Light that the path of another pixel's sample brings to this one: adds to the sum of the first layer, already
     /// divided by the paths that bring some a sample.
     void splat(int x, int y, const Spectrum& value);
