@@ -34,6 +34,7 @@ Catalogue shipped_catalogue() {
     add_light_ray_claims(catalogue);
     add_camera_claims(catalogue);
     add_film_claims(catalogue);
+    add_film_large_claims(catalogue);
     add_film_picture_claims(catalogue);
     add_direct_closed_form_claims(catalogue);
     add_direct_known_claims(catalogue);
@@ -48,6 +49,7 @@ Catalogue shipped_catalogue() {
     add_bsdf_term_claims(catalogue);
     add_transport_class_claims(catalogue);
     add_transport_closed_claims(catalogue);
+    add_transport_driver_claims(catalogue);
     add_transport_equal_claims(catalogue);
     add_transport_radiosity_claims(catalogue);
     add_transport_sampler_claims(catalogue);

@@ -280,7 +280,7 @@ Verdict replays(const Replay& replay, const Run& run) {
     const auto scene = shipped("glass");
     const PathTracer tracer;
     std::uint64_t different = 0, count = 0;
-    for (const std::string& name : sampler_names()) {
+    for (const std::string name : {"independent", "stratified", "sobol"}) {
         Sampler first(name, 16), again(name, 16);
         const std::uint64_t seed = run.random(0).bits();
         for (std::uint32_t i = 0; i < 64; ++i, ++count) {
