@@ -38,7 +38,8 @@ Explanation explain(const Scene& scene, const PathEstimator& estimator, const Re
     Explanation told{.key = path_key(scene, settings, x, y, sample)};
     Sampler sampler(settings.sampler, settings.samples_per_pass);
     PrimarySamples& samples = sampler.start(told.key);
-    told.start = start_at_camera(scene, pixel, samples);
+    Draws draws(samples);
+    told.start = start_at_camera(scene, pixel, draws);
     told.record.story = &told.story;
     estimator.trace(scene, pixel, samples, told.record);
     told.record.story = nullptr;  // which moves with the explanation

@@ -30,11 +30,10 @@ struct PathTracer final : PathEstimator {
 
     /// One step: the ray is traced, light that it meets and light at the vertex are added to the record, and a new
     /// direction is chosen. False where the path ends.
-    bool step(const Scene& scene, const Point<2>& film, PathState& state, PrimarySamples& samples,
-              PathRecord& record) const;
+    bool step(const Scene& scene, const Point<2>& film, PathState& state, Draws& draws, PathRecord& record) const;
 
 private:
-    bool scatter(const PathVertex& vertex, PathState& state, PrimarySamples& samples, PathRecord& record) const;
+    bool scatter(const PathVertex& vertex, PathState& state, Draws& draws, PathRecord& record) const;
 };
 
 }  // namespace plumb

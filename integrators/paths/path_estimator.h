@@ -46,7 +46,9 @@ struct PathRecord {
     std::vector<PathVertex> vertices;        ///< from the sensor on; the sensor itself is not among them
     std::vector<PathVertex> light_vertices;  ///< from a light on, likewise
     std::vector<Splat> splats;
-    RayLog rays;                 ///< counts on over samples
+    RayLog rays;  ///< counts on over samples
+    /// Of what is seen first: averages over samples are those of this times a property of the first vertex.
+    double first_hit_weight = 1;
     PathStory* story = nullptr;  ///< of the sample, where somebody listens
 
     void clear() {
@@ -54,6 +56,18 @@ struct PathRecord {
         vertices.clear();
         light_vertices.clear();
         splats.clear();
+        first_hit_weight = 1;
+    }
+    /// The gate of all splats: value over the density of the numbers that it depends on. That of others may be divided
+    /// out too: the expectation of 1/q under q is 1, so that nothing but the variance changes.
+    void add(const Splat& splat, double density) {
+        splats.push_back(splat);
+        splats.back().value = splat.value / density;
+    }
+    /// The next vertex from the sensor, found with numbers of this density.
+    PathVertex& meet(const PathVertex& vertex, double density) {
+        if (vertices.empty()) first_hit_weight = 1 / density;
+        return vertices.emplace_back(vertex);
     }
     /// Tells the story, which must be there, of light that is to be the next splat or a part of it.
     void tell(const PathStory::Finding& finding) const { story->found(finding, splats.size()); }

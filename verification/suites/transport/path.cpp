@@ -54,11 +54,12 @@ struct OwnRoulette final : PathEstimator {
     void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
                PathRecord& record) const override {
         record.clear();
-        const CameraStart start = start_at_camera(scene, region, samples);
+        Draws draws(samples);
+        const CameraStart start = start_at_camera(scene, region, draws);
         PathState state{.ray = start.ray, .from = start.ray.origin, .direction = start.ray.direction};
         PathState before = state;
-        while (tracer.step(scene, start.film, state, samples, record)) {
-            const double u = samples.at({before.vertex, Use::roulette}).u[0];
+        while (tracer.step(scene, start.film, state, draws, record)) {
+            const double u = draws.at({before.vertex, Use::roulette})[0];
             const auto throughput = play(before, state, u);
             if (!throughput) return;
             state.throughput = *throughput;
