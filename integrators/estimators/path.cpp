@@ -4,9 +4,6 @@
 
 namespace plumb {
 
-namespace {
-
-// Light that the state's ray met, weighted against what an emitter sample would have found there.
 Spectrum met_light(const Scene& scene, const NextEvent& next_event, const PathState& state,
                    const std::optional<Hit>& hit, const PathRecord& record) {
     const Spectrum radiance = hit ? scene.emitted(*hit, -state.direction) : scene.environment(state.ray);
@@ -24,8 +21,6 @@ Spectrum met_light(const Scene& scene, const NextEvent& next_event, const PathSt
                      .source = hit ? scene.light_of(*hit) : scene.environment_light()});
     return radiance * weight;
 }
-
-}  // namespace
 
 void PathTracer::trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
                        PathRecord& record) const {
