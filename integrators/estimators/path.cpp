@@ -4,9 +4,6 @@
 
 namespace plumb {
 
-namespace {
-
-// Light that the state's ray met, weighted against what an emitter sample would have found there.
 Spectrum met_light(const Scene& scene, const NextEvent& next_event, const PathState& state,
                    const std::optional<Hit>& hit, double density, const PathRecord& record) {
     const Spectrum radiance = hit ? scene.emitted(*hit, -state.direction) : scene.environment(state.ray);
@@ -25,8 +22,6 @@ Spectrum met_light(const Scene& scene, const NextEvent& next_event, const PathSt
                      .density = density});
     return radiance * weight;
 }
-
-}  // namespace
 
 void PathTracer::trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
                        PathRecord& record) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/primary_samples.h"
@@ -80,6 +81,8 @@ struct PathRecord {
     }
 };
 
+struct PathShift;  // integrators/paths/shift.h
+
 /// Says what a path is; a driver decides which paths, in which passes. Random numbers come from the slots of
 /// PrimarySamples alone, so that any driver may guide, replay or mutate them.
 struct PathEstimator {
@@ -87,6 +90,9 @@ struct PathEstimator {
     /// One path for the region: its vertices and splats replace those of the record.
     virtual void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
                        PathRecord& record) const = 0;
+    /// How its paths are shifted to other pixels; by random replay where it knows no better. The estimator must outlive
+    /// what it returns.
+    [[nodiscard]] virtual std::unique_ptr<PathShift> shift() const;
 };
 
 }  // namespace plumb
