@@ -192,10 +192,7 @@ Verdict is_closed_form(const std::vector<Case>& cases, const Technique& techniqu
 // ---- mutants
 
 using Estimator = std::shared_ptr<const PathEstimator>;
-struct Defect {
-    std::string id, sentence;
-    Estimator estimator;
-};
+using Defect = Wrong<Estimator>;
 
 std::optional<SceneLightSample> chosen(const Scene& scene, const PathVertex& vertex, Draws& draws,
                                        std::uint16_t number) {
@@ -287,20 +284,19 @@ struct Family {
 
 void add_family(Catalogue& catalogue, const Family& family) {
     for (const Technique& technique : techniques()) {
-        const auto check = [=](const Estimator& estimator) {
-            return [=](const Run& run) { return is_closed_form(family.cases(), technique, *estimator, run); };
+        const auto check = [=](const Estimator& estimator, const Run& run) {
+            return is_closed_form(family.cases(), technique, *estimator, run);
         };
-        std::vector<Mutant> mutants;
-        for (const Defect& defect : defects_of(technique))
-            if (std::ranges::find(family.left_out, defect.id) == family.left_out.end())
-                mutants.push_back({defect.id, defect.sentence, check(defect.estimator)});
+        std::vector<Defect> defects = defects_of(technique);
+        std::erase_if(defects, [&](const Defect& defect) {
+            return std::ranges::find(family.left_out, defect.id) != family.left_out.end();
+        });
         catalogue.add(
             {.id = fmt::format("direct/{}/{}", family.id, technique.id),
              .statement = fmt::format("The renderer's direct light, by {}, is {}.", technique.title, family.statement),
              .source = family.source,
              .kind = Kind::mean,
-             .check = check(std::make_shared<Direct>(technique.used)),
-             .mutants = std::move(mutants)});
+             .trial = {check, std::make_shared<Direct>(technique.used), std::move(defects)}});
     }
 }
 

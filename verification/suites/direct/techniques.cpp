@@ -164,22 +164,19 @@ Spectrum from_bsdf_without_pmf(const Scene& scene, const PathVertex& vertex, con
     return sample->weight * radiance * mis_weight(sample->pdf, density);
 }
 
-std::vector<Mutant> mutants_of(const View& view) {
-    const auto check = [=](Estimator estimator) {
-        return [=](const Run& run) { return agree(view, *estimator, run); };
-    };
+std::vector<Wrong<Estimator>> wrong_for(const View& view) {
     NextEvent no_pmf = default_next_event(), counted_twice = no_pmf;
     no_pmf.choose = without_pmf;
     counted_twice.weight = [](double, double) { return 1.0; };
-    std::vector<Mutant> mutants{{"slightly-bright", fmt::format("{:.3g} % too bright.", 250 * view.delta),
-                                 check(std::make_shared<Scaled>(std::make_shared<Direct>(), 1 + 2.5 * view.delta))}};
+    std::vector<Wrong<Estimator>> wrong{{"slightly-bright", fmt::format("{:.3g} % too bright.", 250 * view.delta),
+                                         std::make_shared<Scaled>(std::make_shared<Direct>(), 1 + 2.5 * view.delta)}};
     if (view.id.starts_with("sky"))  // elsewhere lights are small and bright: this one's tails would be heavy
-        mutants.push_back({"counted-twice", "Both techniques count in full.",
-                           check(std::make_shared<Direct>(LightTechniques::both, counted_twice))});
+        wrong.push_back({"counted-twice", "Both techniques count in full.",
+                         std::make_shared<Direct>(LightTechniques::both, counted_twice)});
     if (view.id == "studio-emitters")
-        mutants.push_back({"pmf-dropped", "The probability of the light is missing in the density of its samples.",
-                           check(std::make_shared<Direct>(LightTechniques::both, no_pmf))});
-    return mutants;
+        wrong.push_back({"pmf-dropped", "The probability of the light is missing in the density of its samples.",
+                         std::make_shared<Direct>(LightTechniques::both, no_pmf)});
+    return wrong;
 }
 
 // ---- an environment among other lights
@@ -202,9 +199,7 @@ Verdict is_white(const PathEstimator& estimator, const Run& run) {
 }
 
 void add_environment(Catalogue& catalogue) {
-    const auto check = [](const Estimator& estimator) {
-        return [=](const Run& run) { return is_white(*estimator, run); };
-    };
+    const auto check = [](const Estimator& estimator, const Run& run) { return is_white(*estimator, run); };
     NextEvent no_pmf = default_next_event();
     no_pmf.choose = without_pmf;
     const auto one_side = [](const Scene& scene, const PathVertex& vertex, const Draws& draws, PathRecord& record) {
@@ -216,14 +211,15 @@ void add_environment(Catalogue& catalogue) {
          .statement = "A white point under a white sky, one of two lights, is white by both techniques, weighted.",
          .source = "[Veach & Guibas 1995]",
          .kind = Kind::mean,
-         .check = check(std::make_shared<Direct>()),
-         .mutants = {{"pmf-dropped", "The probability of the light is missing in the density of its samples.",
-                      check(std::make_shared<Direct>(LightTechniques::both, no_pmf))},
-                     {"environment-pmf-dropped",
-                      "In the BSDF's weight the environment's probability among the lights is missing.",
-                      check(std::make_shared<DirectBy>(one_side))},
-                     {"slightly-bright", "2.5 % too bright.",
-                      check(std::make_shared<Scaled>(std::make_shared<Direct>(), 1.025))}}});
+         .trial = {
+             check,
+             std::make_shared<Direct>(),
+             {{"pmf-dropped", "The probability of the light is missing in the density of its samples.",
+               std::make_shared<Direct>(LightTechniques::both, no_pmf)},
+              {"environment-pmf-dropped",
+               "In the BSDF's weight the environment's probability among the lights is missing.",
+               std::make_shared<DirectBy>(one_side)},
+              {"slightly-bright", "2.5 % too bright.", std::make_shared<Scaled>(std::make_shared<Direct>(), 1.025)}}}});
 }
 
 }  // namespace
@@ -236,8 +232,8 @@ void add_direct_technique_claims(Catalogue& catalogue) {
                                       view.against == LightTechniques::bsdf ? "the BSDF" : "emitters"),
              .source = "[Veach & Guibas 1995]",
              .kind = Kind::mean,
-             .check = [=](const Run& run) { return agree(view, Direct(), run); },
-             .mutants = mutants_of(view)});
+             .trial = {[=](const Estimator& estimator, const Run& run) { return agree(view, *estimator, run); },
+                       std::make_shared<Direct>(), wrong_for(view)}});
     add_environment(catalogue);
 }
 
