@@ -56,11 +56,12 @@ int study(const StudyOptions& options) {
         for (FigurePlan& figure : study.figures) figure.replicates = *options.replicates;
 
     const std::string folder = options.out.empty() ? "out/study-" + study.about.name : options.out;
-    reports::check_replaceable(folder, {".html", ".csv", ".svg"});  // before the work
+    reports::check_replaceable(folder, {".html", ".csv", ".json", ".svg"});  // before the work
 
     reports::StudyResult result{.run = start_run(options.seed ? options.seed : study.seed, options.threads),
                                 .about = study.about,
-                                .figures = {}};
+                                .figures = {},
+                                .headlines = {}};
     const Run run(result.run.seed, "study", 1);
     const auto start = std::chrono::steady_clock::now();
     {
@@ -69,10 +70,11 @@ int study(const StudyOptions& options) {
             result.figures = measure_study(study, run, [&](const std::string& what) { line.show(what); });
         });
     }
+    result.headlines = measure_headlines(study, result.figures);
     result.run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     reports::write_folder(folder, reports::study_files(result));
-    fmt::print("{}study: {}/index.html, {:.1f} s\n", reports::study_table(result, terminal_style()), folder,
-               result.run.seconds);
+    fmt::print("{}{}study: {}/index.html, {:.1f} s\n", reports::study_table(result, terminal_style()),
+               reports::headline_table(result.headlines, terminal_style()), folder, result.run.seconds);
     return 0;
 }
 

@@ -57,7 +57,8 @@ Explanation explain(const RenderJob& job, int x, int y, std::uint32_t sample) {
     Explanation told{.key = path_key(scene, settings, x, y, sample), .weight = weight_of(job, x, y, sample)};
     Sampler sampler(settings.sampler, settings.samples_per_pass);
     PrimarySamples& samples = sampler.start(told.key);
-    told.start = start_at_camera(scene, pixel, samples);
+    Draws draws(samples);
+    told.start = start_at_camera(scene, pixel, draws);
     told.record.story = &told.story;
     job.estimator.trace(scene, pixel, samples, told.record);
     told.record.story = nullptr;  // which moves with the explanation

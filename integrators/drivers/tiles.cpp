@@ -17,9 +17,9 @@ std::array<Spectrum, 4> layers_of(const PathRecord& record, double weight) {
     if (!record.vertices.empty()) {
         const PathVertex& first = record.vertices.front();
         const Vec3 n = first.frame.z;
-        layers[1] = albedo(first.bsdf);
-        layers[2] = Spectrum::rgb(n.x, n.y, n.z);
-        layers[3] = Spectrum::grey(first.hit.t);
+        layers[1] = record.first_hit_weight * albedo(first.bsdf);
+        layers[2] = record.first_hit_weight * Spectrum::rgb(n.x, n.y, n.z);
+        layers[3] = record.first_hit_weight * Spectrum::grey(first.hit.t);
     }
     if (weight != 1)
         for (Spectrum& layer : layers) layer *= weight;

@@ -74,15 +74,15 @@ Verdict is_exact(PixelMean mean, const Run& run) {
 }  // namespace
 
 void add_film_large_claims(Catalogue& catalogue) {
-    const auto check = [](PixelMean mean) { return [=](const Run& run) { return is_exact(mean, run); }; };
     catalogue.add({.id = "film/sums/large",
                    .statement = "A pixel's mean is that of its samples, rounded once, where some are of 2^31 and more.",
                    .source = "ours, scenes/film/wide_sum.h",
                    .kind = Kind::exact,
-                   .check = check(film_mean),
-                   .mutants = {{"dropped", "Values of 2^31 and more add nothing.", check(mean_without_large)},
-                               {"clamped", "They count as 2^30.", check(mean_of_clamped)},
-                               {"double", "Sums in double.", check(mean_in_doubles)}}});
+                   .trial = {is_exact,
+                             film_mean,
+                             {{"dropped", "Values of 2^31 and more add nothing.", mean_without_large},
+                              {"clamped", "They count as 2^30.", mean_of_clamped},
+                              {"double", "Sums in double.", mean_in_doubles}}}});
 }
 
 }  // namespace plumb::suites

@@ -35,6 +35,9 @@ using Subject = std::shared_ptr<const Driver>;
 Subject frameless() {
     return std::make_shared<Frameless>(share);
 }
+Subject drawn_by(DrawnBy::Rule rule) {
+    return std::make_shared<DrawnBy>(std::move(rule));
+}
 
 // ---- means
 
@@ -76,29 +79,30 @@ Verdict unbiased(const Subject& driver, const Run& run) {
     return all_of(std::move(parts));
 }
 
+DrawnPixels undivided(const Frameless& right, const RenderJob& job, std::uint32_t pass, std::size_t tile) {
+    return {right.drawn(job, pass, tile).pixels, 1};
+}
+DrawnPixels divided_by_the_share(const Frameless& right, const RenderJob& job, std::uint32_t pass, std::size_t tile) {
+    return {right.drawn(job, pass, tile).pixels, 1 / share};
+}
+DrawnPixels in_order(const Frameless& right, const RenderJob& job, std::uint32_t pass, std::size_t tile) {
+    DrawnPixels first = right.drawn(job, pass, tile);
+    for (std::uint32_t i = 0; i < first.pixels.size(); ++i) first.pixels[i] = i;
+    return first;
+}
+
 void add_means(Catalogue& catalogue) {
-    const auto check = [](const Subject& driver) { return [=](const Run& run) { return unbiased(driver, run); }; };
-    const auto by = [&](const DrawnBy::Rule& rule) { return check(std::make_shared<DrawnBy>(rule)); };
     catalogue.add(
         {.id = "render/frameless/unbiased",
          .statement = "A pass that draws 5 of 16 pixels has the mean of a picture of all, by `path` and by `light`.",
          .source = "ours, integrators/drivers/frameless.h",
          .kind = Kind::mean,
-         .check = check(frameless()),
-         .mutants = {{"undivided", "Samples are not divided by the probability of their pixel.",
-                      by([](const Frameless& right, const RenderJob& job, std::uint32_t pass, std::size_t tile) {
-                          return DrawnPixels{right.drawn(job, pass, tile).pixels, 1};
-                      })},
-                     {"by-the-share", "They are divided by the share that was asked for, 0.3, not by 5/16.",
-                      by([](const Frameless& right, const RenderJob& job, std::uint32_t pass, std::size_t tile) {
-                          return DrawnPixels{right.drawn(job, pass, tile).pixels, 1 / share};
-                      })},
-                     {"in-order", "The first pixels of the tile are drawn.",
-                      by([](const Frameless& right, const RenderJob& job, std::uint32_t pass, std::size_t tile) {
-                          DrawnPixels first = right.drawn(job, pass, tile);
-                          for (std::uint32_t i = 0; i < first.pixels.size(); ++i) first.pixels[i] = i;
-                          return first;
-                      })}}});
+         .trial = {unbiased,
+                   frameless(),
+                   {{"undivided", "Samples are not divided by the probability of their pixel.", drawn_by(undivided)},
+                    {"by-the-share", "They are divided by the share that was asked for, 0.3, not by 5/16.",
+                     drawn_by(divided_by_the_share)},
+                    {"in-order", "The first pixels of the tile are drawn.", drawn_by(in_order)}}}});
 }
 
 // ---- the variance layer
@@ -129,24 +133,23 @@ Verdict layer_is_spread(const Subject& driver, const Run& run) {
                    run);
 }
 
+DrawnPixels same_pixels(const Frameless& right, const RenderJob& job, std::uint32_t, std::size_t tile) {
+    return right.drawn(job, 0, tile);
+}
+DrawnPixels same_pixels_at_times(const Frameless& right, const RenderJob& job, std::uint32_t pass, std::size_t tile) {
+    return right.drawn(job, job.settings.seed % 6 == 0 ? 0 : pass, tile);
+}
+
 void add_variance(Catalogue& catalogue) {
-    const auto check = [](const Subject& driver) {
-        return [=](const Run& run) { return layer_is_spread(driver, run); };
-    };
     catalogue.add(
         {.id = "render/frameless/variance",
          .statement = "The variance layer of pictures whose passes draw pixels agrees with the spread of pictures.",
          .source = "ours, scenes/film/film.h",
          .kind = Kind::mean,
-         .check = check(frameless()),
-         .mutants = {{"same-pixels", "All passes of a picture draw the same pixels.",
-                      check(std::make_shared<DrawnBy>([](const Frameless& right, const RenderJob& job, std::uint32_t,
-                                                         std::size_t tile) { return right.drawn(job, 0, tile); }))},
-                     {"at-times", "One picture in six does so.",
-                      check(std::make_shared<DrawnBy>(
-                          [](const Frameless& right, const RenderJob& job, std::uint32_t pass, std::size_t tile) {
-                              return right.drawn(job, job.settings.seed % 6 == 0 ? 0 : pass, tile);
-                          }))}}});
+         .trial = {layer_is_spread,
+                   frameless(),
+                   {{"same-pixels", "All passes of a picture draw the same pixels.", drawn_by(same_pixels)},
+                    {"at-times", "One picture in six does so.", drawn_by(same_pixels_at_times)}}}});
 }
 
 // ---- threads and shards
@@ -174,20 +177,23 @@ Verdict same_bits(const Subject& driver, const Run& run) {
                               : "pixels differ between one run and two shards");
 }
 
+// Pixels by a count of all pieces so far, whoever makes them.
+Subject from_one_stream() {
+    return drawn_by([count = std::make_shared<std::atomic<std::uint32_t>>(0)](
+                        const Frameless& right, const RenderJob& job, std::uint32_t, std::size_t tile) {
+        return right.drawn(job, (*count)++, tile);
+    });
+}
+
 void add_bits(Catalogue& catalogue) {
-    const auto check = [](const Subject& driver) { return [=](const Run& run) { return same_bits(driver, run); }; };
     catalogue.add(
         {.id = "render/frameless/threads",
          .statement = "1 and 2 threads, and 2 shards, give the same bits of a picture whose passes draw pixels.",
          .source = "ours, integrators/drivers/driver.h",
          .kind = Kind::exact,
-         .check = check(frameless()),
-         .mutants = {{"one-stream", "Who comes first draws from one stream for all.",
-                      check(std::make_shared<DrawnBy>(
-                          [count = std::make_shared<std::atomic<std::uint32_t>>(0)](
-                              const Frameless& right, const RenderJob& job, std::uint32_t, std::size_t tile) {
-                              return right.drawn(job, (*count)++, tile);
-                          }))}}});
+         .trial = {same_bits,
+                   frameless(),
+                   {{"one-stream", "Who comes first draws from one stream for all.", from_one_stream()}}}});
 }
 
 }  // namespace
