@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "estimators/replicates/integration.h"
-#include "verification/runner.h"
+#include "core/error_target.h"
+#include "core/shard.h"
 
 // What options say, read from text. Each throws Error, which names the text and what is accepted.
 namespace plumb::cli {

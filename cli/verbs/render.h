@@ -6,8 +6,8 @@
 #include <string>
 
 #include "cli/verbs/path_options.h"
-#include "estimators/replicates/integration.h"
-#include "verification/runner.h"
+#include "core/error_target.h"
+#include "core/shard.h"
 
 namespace CLI {
 class App;

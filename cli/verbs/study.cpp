@@ -64,17 +64,18 @@ int study(const Options& options) {
         for (FigurePlan& figure : study.figures) figure.replicates = *options.replicates;
 
     const std::string folder = options.out.empty() ? "out/study-" + study.about.name : options.out;
-    reports::check_replaceable(folder, {".html", ".csv", ".svg"});  // before the work
+    reports::check_replaceable(folder, {".html", ".csv", ".json", ".svg"});  // before the work
 
     Session session(options.seed ? options.seed : study.seed, options.threads);
-    reports::StudyResult result{.run = {}, .about = study.about, .figures = {}};
+    reports::StudyResult result{.run = {}, .about = study.about, .figures = {}, .headlines = {}};
     const Run run(session.run.seed, "study", 1);
     session.work(
         [&] { result.figures = measure_study(study, run, [&](const std::string& what) { session.show(what); }); });
+    result.headlines = measure_headlines(study, result.figures);
     result.run = session.run;
     reports::write_folder(folder, reports::study_files(result));
-    fmt::print("{}study: {}/index.html, {:.1f} s\n", reports::study_table(result, terminal_style()), folder,
-               result.run.seconds);
+    fmt::print("{}{}study: {}/index.html, {:.1f} s\n", reports::study_table(result, terminal_style()),
+               reports::headline_table(result.headlines, terminal_style()), folder, result.run.seconds);
     return 0;
 }
 
