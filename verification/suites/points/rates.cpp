@@ -12,9 +12,9 @@
 #include "estimators/points/sobol.h"
 #include "estimators/points/stratified.h"
 #include "estimators/points/zero_two.h"
+#include "verification/claim.h"
 #include "verification/evidence/rate.h"
 #include "verification/suites/points/defective_point_sets.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -299,7 +299,7 @@ void add_rates_2d(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_point_rate_claims(Catalogue& catalogue) {
+void add_points_rates(Catalogue& catalogue) {
     add_rates_1d(catalogue);
     add_rates_2d(catalogue);
 }

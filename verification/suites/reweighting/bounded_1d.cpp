@@ -7,8 +7,8 @@
 #include "estimators/reweighting/cells_1d.h"
 #include "estimators/reweighting/reweighting_1d.h"
 #include "estimators/reweighting/samples_1d.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
-#include "verification/suites/reweighting/subjects_1d.h"
 
 namespace plumb::suites {
 namespace {
@@ -186,7 +186,7 @@ Verdict integrates_lines(const Weigh& node_weights, const Run& run) {
 
 }  // namespace
 
-void add_reweighting_1d_bounded_claims(Catalogue& catalogue) {
+void add_reweighting_bounded_1d(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/voronoi-1d/sum",
          .statement =

@@ -10,9 +10,9 @@
 #include "estimators/reweighting/samples_1d.h"
 #include "estimators/reweighting/tent.h"
 #include "estimators/reweighting/warp.h"
+#include "verification/claim.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/reweighting/exponential_1d.h"
-#include "verification/suites/reweighting/subjects_1d.h"
 
 namespace plumb::suites {
 namespace {
@@ -222,7 +222,7 @@ void add_strata_and_batches(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_reweighting_1d_density_claims(Catalogue& catalogue) {
+void add_reweighting_densities_1d(Catalogue& catalogue) {
     add_densities(catalogue);
     add_strata_and_batches(catalogue);
 }

@@ -7,8 +7,8 @@
 #include "estimators/reweighting/reweighting_1d.h"
 #include "estimators/reweighting/samples_1d.h"
 #include "estimators/reweighting/tent.h"
+#include "verification/claim.h"
 #include "verification/suites/reweighting/exponential_1d.h"
-#include "verification/suites/reweighting/subjects_1d.h"
 
 namespace plumb::suites {
 namespace {
@@ -215,7 +215,7 @@ void add_control_variate(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_reweighting_1d_mean_claims(Catalogue& catalogue) {
+void add_reweighting_means_1d(Catalogue& catalogue) {
     add_independent(catalogue);
     add_stratified(catalogue);
     add_control_variate(catalogue);
