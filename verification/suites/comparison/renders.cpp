@@ -6,10 +6,10 @@
 #include "integrators/drivers/render.h"
 #include "integrators/estimators/light.h"
 #include "integrators/estimators/path.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/comparison/compare_subjects.h"
 #include "verification/suites/direct/direct_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -247,7 +247,7 @@ Verdict honest_pairs(double variance_scale, const Run& run) {
 
 }  // namespace
 
-void add_compare_render_claims(Catalogue& catalogue) {
+void add_comparison_renders(Catalogue& catalogue) {
     std::vector<Spoiled> spoiled = images_spoiled();
     for (Spoiled& render : renderers_spoiled()) spoiled.push_back(std::move(render));
     Job honest = still(4);

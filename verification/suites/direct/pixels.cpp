@@ -8,9 +8,9 @@
 #include "scenes/bsdfs/texture.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/direct/direct_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -289,7 +289,7 @@ void add_constant(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_direct_pixel_claims(Catalogue& catalogue) {
+void add_direct_pixels(Catalogue& catalogue) {
     add_values(catalogue);
     add_threads(catalogue);
     add_textures(catalogue);

@@ -5,8 +5,8 @@
 
 #include "scenes/bsdfs/texture.h"
 #include "scenes/scene.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -116,7 +116,7 @@ Verdict pass_alike(const Plates& plates) {
 
 }  // namespace
 
-void add_texture_claims(Catalogue& catalogue) {
+void add_surfaces_textures(Catalogue& catalogue) {
     catalogue.add(
         {.id = "texture/bitmap/lookup",
          .statement = "Between its texels' centers, which lie at ((i + 1/2)/width, (j + 1/2)/height), a picture of a "
