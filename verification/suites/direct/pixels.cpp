@@ -5,9 +5,9 @@
 #include "integrators/drivers/render.h"
 #include "integrators/drivers/sampler.h"
 #include "integrators/estimators/aov.h"
-#include "scenes/bsdfs/texture.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
+#include "scenes/textures/texture.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/direct/direct_subjects.h"
 #include "verification/suites/suites.h"
@@ -245,12 +245,12 @@ struct FilterWeighted final : PathEstimator {
     }
 };
 
-Verdict picture_is_one(description::FilterKind kind, const PathEstimator& estimator, const Run& run) {
+Verdict picture_is_one(const Filter& filter, const PathEstimator& estimator, const Run& run) {
     description::Scene description;
     description.emitters.push_back({description::ConstantSky{Spectrum::grey(1)}, {}});
     add_shape(description, description::Sphere{{}, 1, false, {}}, add_material(description));
     description.sensor = camera({0, 0, -4}, {}, 40, 16, 16);
-    description.sensor->film.filter = {kind, kind == description::FilterKind::box ? 0.5 : 1.5, 0.5};
+    description.sensor->film.filter = filter;
     const Scene scene(std::move(description));
     RandomStream random = run.random(0);
     const Rendered picture =
@@ -263,23 +263,22 @@ Verdict picture_is_one(description::FilterKind kind, const PathEstimator& estima
 }
 
 void add_constant(Catalogue& catalogue) {
-    using description::FilterKind;
     // By samples of its BSDF a white sphere under a white sky is white without variance.
     const Direct direct(LightTechniques::bsdf);
-    for (const auto& [name, kind] : {std::pair{"box", FilterKind::box}, std::pair{"tent", FilterKind::tent},
-                                     std::pair{"gaussian", FilterKind::gaussian}}) {
+    for (const auto& [name, filter] : std::initializer_list<std::pair<const char*, Filter>>{
+             {"box", BoxFilter()}, {"tent", TentFilter(1.5)}, {"gaussian", GaussianFilter(0.5)}}) {
         Claim claim{
             .id = fmt::format("direct/constant/{}", name),
             .statement = fmt::format("A white sphere under a white sky gives a picture of ones, film filter {}.", name),
             .source = "ours, scenes/film/filters.h",
             .kind = Kind::bounded,
-            .check = [=](const Run& run) { return picture_is_one(kind, direct, run); },
+            .check = [=](const Run& run) { return picture_is_one(filter, direct, run); },
             .mutants = {{"two-thousandths-bright", "Everything is 0.2 % too bright.", [=](const Run& run) {
-                             return picture_is_one(kind, Scaled(std::make_shared<Direct>(direct), 1.002), run);
+                             return picture_is_one(filter, Scaled(std::make_shared<Direct>(direct), 1.002), run);
                          }}}};
-        if (kind != FilterKind::box)
+        if (!std::holds_alternative<BoxFilter>(filter))
             claim.mutants.push_back({"weighted-again", "The filter's value, not normalised, is a weight once more.",
-                                     [=](const Run& run) { return picture_is_one(kind, FilterWeighted(), run); }});
+                                     [=](const Run& run) { return picture_is_one(filter, FilterWeighted(), run); }});
         catalogue.add(std::move(claim));
     }
 }
