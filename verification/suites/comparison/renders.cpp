@@ -56,8 +56,8 @@ description::Scene still_life(const Lens& lens) {
     constexpr double height = 0.456, pixel_at_target = 2 * 0.36397 * 6 / edge;
     description::Sensor sensor;
     sensor.to_world = Transform::look_at({0, -6, height}, {0, 0, height + lens.aside * pixel_at_target}, {0, 0, 1});
-    sensor.fov_x = 40;
-    sensor.film = {edge, edge, {description::FilterKind::tent, lens.filter_radius, 0.5}};
+    sensor.kind = description::Perspective{40};
+    sensor.film = {edge, edge, TentFilter(lens.filter_radius)};
     scene.sensor = sensor;
     return scene;
 }
