@@ -24,7 +24,7 @@ std::vector<reports::ListRow> claim_rows(const Catalogue& catalogue) {
                         {"statement", claim.statement},
                         {"source", claim.source},
                         {"sizes", sizes_of(claim)},
-                        {"mutants", static_cast<std::uint64_t>(claim.mutants.size())},
+                        {"mutants", static_cast<std::uint64_t>(claim.trial.mutants().size())},
                         {"no_mutant", claim.no_mutant}});
     return rows;
 }
@@ -32,7 +32,7 @@ std::vector<reports::ListRow> claim_rows(const Catalogue& catalogue) {
 std::vector<reports::ListRow> mutant_rows(const Catalogue& catalogue) {
     std::vector<reports::ListRow> rows;
     for (const Claim& claim : catalogue.claims())
-        for (const Mutant& mutant : claim.mutants)
+        for (const Mutant& mutant : claim.trial.mutants())
             rows.push_back({{"id", claim.id + "/" + mutant.id}, {"of", claim.id}, {"defect", mutant.defect}});
     return rows;
 }

@@ -3,7 +3,7 @@
 
 #include "cli/options.h"
 #include "core/error.h"
-#include "core/sample_counts.h"
+#include "core/integers.h"
 
 namespace plumb::cli {
 

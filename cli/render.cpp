@@ -95,10 +95,10 @@ private:
 RenderedUntil rendered(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings,
                        const RenderOptions& options, Watch& watch) {
     if (options.error)
-        return render_until(
-            scene, estimator, settings, *options.error, options.most_samples / settings.samples_per_pass,
-            [&](std::uint64_t passes, const FilmError& error) { watch.look(passes, error); },
-            [&](const RenderProgress& progress) { watch.double_passes(progress); });
+        return render_until(job_of(scene, estimator, settings), *options.error,
+                            options.most_samples / settings.samples_per_pass,
+                            {[&](std::uint64_t passes, const FilmError& error) { watch.look(passes, error); },
+                             [&](const RenderProgress& progress) { watch.double_passes(progress); }});
     Rendered all = render(scene, estimator, settings, std::ref(watch));
     const FilmError error = error_of(all.film);
     return {std::move(all), error, true};

@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "core/error.h"
+#include "core/integers.h"
 #include "core/moments.h"
 #include "core/parallel.h"
-#include "core/sample_counts.h"
 #include "integrators/drivers/region_estimate.h"
 #include "integrators/drivers/sampler.h"
 #include "integrators/integrators.h"
