@@ -17,12 +17,12 @@ std::string awk(const std::string& sample) {
 
 Verdict judged(const std::string& command, const std::string& density) {
     const Catalogue catalogue = sampler_catalogue({.command = command, .density = density, .delta = 0.1}, 7);
-    return catalogue.claims().at(0).check(Run(7, catalogue.claims().at(0).id, 1e-6));
+    return catalogue.claims().at(0).trial.judge(Run(7, catalogue.claims().at(0).id, 1e-6));
 }
 
-std::string complaint(const SamplerOptions& options) {
+std::string complaint(const SamplerTrial& trial) {
     try {
-        (void)sampler_catalogue(options, 7);
+        (void)sampler_catalogue(trial, 7);
     } catch (const Error& error) {
         return error.what();
     }

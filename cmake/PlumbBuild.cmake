@@ -1,6 +1,7 @@
 # How every folder of Plumb is built.
 #
 #   plumb_library(NAME [SOURCES…] [DEPENDS targets…])   a folder's target plumb::NAME; without sources, of headers alone
+#     … [PRECOMPILED TARGET <HEADER>]                   whose sources include this slow header of a library
 #   plumb_test(NAME SOURCES… [DEPENDS targets…])      its unit tests, one executable, each test known to ctest
 #   plumb_heavy_sources(TARGET SOURCES… [DEPENDS targets…])   units of TARGET that need about 1 GB each to compile
 #
@@ -55,30 +56,34 @@ if(PLUMB_SANITIZE)
   target_link_options(plumb_options INTERFACE -fsanitize=${PLUMB_SANITIZE})
 endif()
 
-function(plumb_precompiled_headers target test)
-  if(test)
-    set(owner plumb_test_pch)
-    set(headers <gtest/gtest.h> <gmock/gmock.h>)
-  else()
-    set(owner plumb_pch)
-  endif()
+# LIBRARY and HEADERS, where given: a library whose headers are slow to compile.
+function(plumb_precompiled_headers target owner)
+  cmake_parse_arguments(arg "" "LIBRARY" "HEADERS" ${ARGN})
   if(NOT TARGET ${owner})
     file(WRITE "${CMAKE_BINARY_DIR}/${owner}.cpp" "")
     add_library(${owner} OBJECT "${CMAKE_BINARY_DIR}/${owner}.cpp")
-    target_link_libraries(${owner} PRIVATE plumb_options fmt::fmt $<$<BOOL:${test}>:GTest::gmock>)
+    target_link_libraries(${owner} PRIVATE plumb_options fmt::fmt ${arg_LIBRARY})
     target_precompile_headers(${owner} PRIVATE
       <algorithm> <array> <cmath> <cstdint> <functional> <limits> <map> <memory> <numeric> <optional> <random> <span>
-      <stdexcept> <string> <string_view> <utility> <variant> <vector> <fmt/format.h> ${headers})
+      <stdexcept> <string> <string_view> <utility> <variant> <vector> <fmt/format.h> ${arg_HEADERS})
   endif()
   target_precompile_headers(${target} REUSE_FROM ${owner})
 endfunction()
 
 function(plumb_library name)
-  cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "" "" "DEPENDS;PRECOMPILED" ${ARGN})
   set(scope PUBLIC)
   if(arg_UNPARSED_ARGUMENTS)
     add_library(plumb_${name} STATIC ${arg_UNPARSED_ARGUMENTS})
-    plumb_precompiled_headers(plumb_${name} FALSE)
+    if(arg_PRECOMPILED)
+      list(GET arg_PRECOMPILED 0 library)
+      list(GET arg_PRECOMPILED 1 header)
+      string(MAKE_C_IDENTIFIER "plumb_pch_${library}" owner)
+      plumb_precompiled_headers(plumb_${name} ${owner} LIBRARY ${library} HEADERS ${header})
+      target_link_libraries(plumb_${name} PRIVATE $<BUILD_INTERFACE:${library}>)
+    else()
+      plumb_precompiled_headers(plumb_${name} plumb_pch)
+    endif()
   else()
     add_library(plumb_${name} INTERFACE)
     set(scope INTERFACE)
@@ -94,7 +99,7 @@ function(plumb_test name)
   cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PRIVATE plumb_options GTest::gmock GTest::gtest_main ${arg_DEPENDS})
-  plumb_precompiled_headers(${name} TRUE)
+  plumb_precompiled_headers(${name} plumb_test_pch LIBRARY GTest::gmock HEADERS <gtest/gtest.h> <gmock/gmock.h>)
   include(GoogleTest)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
 endfunction()

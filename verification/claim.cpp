@@ -18,14 +18,16 @@ void Catalogue::add(Claim claim) {
     };
     if (claim.id.empty() || claim.statement.empty() || claim.source.empty())
         fail("a claim needs an id, a statement and a source");
-    if (!claim.check) fail("a claim needs a check");
-    if (claim.mutants.empty() == claim.no_mutant.empty())
+    if (claim.check) claim.trial = Trial(std::move(claim.check), std::move(claim.mutants));
+    if (!claim.trial) fail("a claim needs a check");
+    const std::vector<Mutant>& mutants = claim.trial.mutants();
+    if (mutants.empty() == claim.no_mutant.empty())
         fail("a claim has mutants, or says why none is possible, and not both");
     for (const Claim& other : claims_)
         if (other.id == claim.id) fail("this id is taken");
-    for (std::size_t i = 0; i < claim.mutants.size(); ++i)
+    for (std::size_t i = 0; i < mutants.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            if (claim.mutants[i].id == claim.mutants[j].id) fail("two mutants of the id '" + claim.mutants[i].id + "'");
+            if (mutants[i].id == mutants[j].id) fail("two mutants of the id '" + mutants[i].id + "'");
     claims_.push_back(std::move(claim));
 }
 

@@ -1,23 +1,11 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "verification/run.h"
-#include "verification/verdict.h"
+#include "verification/check.h"
 
 namespace plumb {
-
-using Check = std::function<Verdict(const Run&)>;
-
-/// A subject with a known defect, given to the claim's check in place of the right one; the check must refute it.
-/// Its bias is at least 2 delta, that of a claim's smallest mutant between 2 delta and 4 delta.
-struct Mutant {
-    std::string id = {};      ///< unique within its claim; reported as claim-id/mutant-id
-    std::string defect = {};  ///< one sentence
-    Check check = {};
-};
 
 /// Which size classes a claim belongs to.
 enum class Sizes { both, quick_only, full_only };
@@ -28,7 +16,8 @@ struct Claim {
     std::string statement = {};
     std::string source = {};  ///< paper and equation, or "ours" with the file that derives it
     Kind kind = Kind::exact;
-    Check check = {};
+    Trial trial = {};  ///< the check, the right subject and the wrong ones
+    Check check = {};  ///< in place of a trial, with mutants that judge by checks of their own
     std::vector<Mutant> mutants = {};
     std::string no_mutant = {};  ///< why no mutant is possible; required exactly when there is none
     double weight = 1;           ///< of its share of the false-alarm budget; exact and bounded claims take none
@@ -43,7 +32,7 @@ struct Erratum {
 /// The closed list of claims: it is complete before anything runs, because the shares of alpha depend on it.
 class Catalogue {
 public:
-    /// Throws std::logic_error for an id used twice, a missing check, or neither mutant nor reason.
+    /// Throws std::logic_error for an id used twice, a missing trial, or neither mutant nor reason.
     void add(Claim claim);
     void add(Erratum erratum) { errata_.push_back(std::move(erratum)); }
 

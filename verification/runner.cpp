@@ -23,10 +23,10 @@ void check_pattern(const Catalogue& catalogue, Size size, const std::string& pat
 }
 
 // Empty when the run was stopped before there was a verdict.
-std::optional<Verdict> verdict_of(const Check& check, const Run& run) {
+std::optional<Verdict> verdict_of(const Item& item, const Run& run) {
     try {
         run.end_if_stopped();
-        return check(run);
+        return item.mutant ? item.mutant->judge(run) : item.claim->trial.judge(run);
     } catch (const Stopped&) {
         return {};
     } catch (const std::exception& failure) {
@@ -62,7 +62,7 @@ std::vector<Item> select(const Catalogue& catalogue, Size size, const std::vecto
         if (!belongs(claim, size)) continue;
         if (!patterns.empty() && std::ranges::none_of(patterns, wanted)) continue;
         items.push_back({&claim, nullptr, items.size()});
-        for (const Mutant& mutant : claim.mutants) items.push_back({&claim, &mutant, items.size()});
+        for (const Mutant& mutant : claim.trial.mutants()) items.push_back({&claim, &mutant, items.size()});
     }
     return items;
 }
@@ -94,7 +94,7 @@ std::vector<Judged> judge(const Catalogue& catalogue, std::span<const Item> item
             const double share = std::max(catalogue.share(*item.claim, setting.size), 1e-12);
             const Run run(setting.seed, item.id(), setting.alpha * share, setting.size, end.get_token());
             const auto start = clock::now();
-            std::optional<Verdict> verdict = verdict_of(item.mutant ? item.mutant->check : item.claim->check, run);
+            std::optional<Verdict> verdict = verdict_of(item, run);
             const double seconds = std::chrono::duration<double>(clock::now() - start).count();
             if (!verdict && setting.stop.stop_requested()) return;
             judged[i] = Judged{item, verdict ? std::move(*verdict) : out_of_time(), seconds};

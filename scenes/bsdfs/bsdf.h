@@ -49,4 +49,11 @@ static_assert(BsdfModel<Bsdf>);
 /// What a denoiser or a person takes for the surface's colour: the reflectance of what scatters, grey 1 for glass.
 Spectrum albedo(const Bsdf& bsdf);
 
+/// The least roughness of the lobes of the smooth part, which a BsdfSample states of one: 1 of a diffuse one, 0 where
+/// there is no smooth part.
+double smooth_roughness(const Bsdf& bsdf);
+
+/// The index on wi's side over the index on wo's side, as a BsdfSample of the smooth part would state it.
+double eta_between(const Bsdf& bsdf, Vec3 wo, Vec3 wi);
+
 }  // namespace plumb

@@ -19,6 +19,7 @@ struct RoughPlastic {
     [[nodiscard]] double pdf(Vec3 wo, Vec3 wi) const;
     [[nodiscard]] std::optional<BsdfSample> sample(Vec3 wo, const std::array<double, 3>& u, Transport transport) const;
     [[nodiscard]] double discrete(Vec3) const { return 0; }
+    [[nodiscard]] double roughness() const { return coat_->facets().alpha; }
 
 private:
     [[nodiscard]] double coat_probability(double cos_o) const;

@@ -49,6 +49,7 @@ Catalogue shipped_catalogue() {
     add_transport_class_claims(catalogue);
     add_transport_closed_claims(catalogue);
     add_transport_equal_claims(catalogue);
+    add_guided_sample_claims(catalogue);
     add_transport_radiosity_claims(catalogue);
     add_transport_sampler_claims(catalogue);
     add_transport_weight_claims(catalogue);

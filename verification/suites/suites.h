@@ -51,6 +51,7 @@ void add_texture_claims(Catalogue& catalogue);
 void add_transport_class_claims(Catalogue& catalogue);
 void add_transport_closed_claims(Catalogue& catalogue);
 void add_transport_equal_claims(Catalogue& catalogue);
+void add_guided_sample_claims(Catalogue& catalogue);
 void add_transport_radiosity_claims(Catalogue& catalogue);
 void add_transport_sampler_claims(Catalogue& catalogue);
 void add_transport_weight_claims(Catalogue& catalogue);

@@ -36,9 +36,10 @@ void add_calibration_claims_of_cost(Catalogue& catalogue) {
                                       each.bias, each.end == "holds" ? "held" : each.end, each.fraction),
              .source = "docs/statistics.md, Cost of a verdict",
              .kind = Kind::mean,
-             .check = [=](const Run& run) { return costs_at_most(each.fraction, each.bias, run); },
-             .mutants = {{"smaller-bias", fmt::format("a bias of {:g} delta counted as {:g}", each.easier, each.bias),
-                          [=](const Run& run) { return costs_at_most(each.fraction, each.easier, run); }}},
+             .trial = {[=](double bias, const Run& run) { return costs_at_most(each.fraction, bias, run); },
+                       each.bias,
+                       {{"smaller-bias", fmt::format("a bias of {:g} delta counted as {:g}", each.easier, each.bias),
+                         each.easier}}},
              .sizes = each.sizes});
 }
 

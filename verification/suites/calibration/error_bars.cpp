@@ -31,10 +31,8 @@ void add_claim(Catalogue& catalogue, const std::string& estimator, const std::st
     const auto estimate = [=](RandomStream& random) {
         return find_estimator<D>(estimator).run(find_integrand<D>(integrand_id).value, 256, random);
     };
-    const auto check = [=](double quantile) {
-        return [=](const Run& run) {
-            return covers(estimate, find_integrand<D>(integrand_id).integral_value(), quantile, run);
-        };
+    const auto check = [=](double quantile, const Run& run) {
+        return covers(estimate, find_integrand<D>(integrand_id).integral_value(), quantile, run);
     };
     catalogue.add(
         {.id = fmt::format("calibration/error-bars/{}-{}d", estimator, D),
@@ -43,32 +41,30 @@ void add_claim(Catalogue& catalogue, const std::string& estimator, const std::st
                                   estimator, integrand_id),
          .source = "central limit theorem; docs/statistics.md, Error bars",
          .kind = Kind::mean,
-         .check = check(normal_at_975),
-         .mutants = {{"four-fifths", "the reported standard error is a fifth too small: 88 %",
-                      check(0.8 * normal_at_975)}},
+         .trial = {check,
+                   normal_at_975,
+                   {{"four-fifths", "the reported standard error is a fifth too small: 88 %", 0.8 * normal_at_975}}},
          .sizes = D == 1 ? Sizes::both : Sizes::full_only});
 }
 
 template <int D>
 void add_replicated_claim(Catalogue& catalogue, const std::string& estimator, const std::string& integrand_id) {
-    const auto check = [=](double quantile) {
-        return [=](const Run& run) {
-            const Integrand<D>& f = find_integrand<D>(integrand_id);
-            const auto estimate = [&](RandomStream& random) {
-                return replicated<D>(find_estimator<D>(estimator).run, f.value, 8, 128, random);
-            };
-            return covers(estimate, f.integral_value(), quantile, run);
+    const auto check = [=](double quantile, const Run& run) {
+        const Integrand<D>& f = find_integrand<D>(integrand_id);
+        const auto estimate = [&](RandomStream& random) {
+            return replicated<D>(find_estimator<D>(estimator).run, f.value, 8, 128, random);
         };
+        return covers(estimate, f.integral_value(), quantile, run);
     };
-    catalogue.add(
-        {.id = fmt::format("calibration/error-bars/replicated-{}-{}d", estimator, D),
-         .statement = fmt::format("128 replicates of `{}` cover the integral of `{}` in 95 % of the runs.", estimator,
-                                  integrand_id),
-         .source = "[Student 1908]; docs/statistics.md, Error bars",
-         .kind = Kind::mean,
-         .check = check(student_t_127_at_975),
-         .mutants = {{"four-fifths", "the standard error is a fifth too small", check(0.8 * student_t_127_at_975)}},
-         .sizes = Sizes::full_only});
+    catalogue.add({.id = fmt::format("calibration/error-bars/replicated-{}-{}d", estimator, D),
+                   .statement = fmt::format("128 replicates of `{}` cover the integral of `{}` in 95 % of the runs.",
+                                            estimator, integrand_id),
+                   .source = "[Student 1908]; docs/statistics.md, Error bars",
+                   .kind = Kind::mean,
+                   .trial = {check,
+                             student_t_127_at_975,
+                             {{"four-fifths", "the standard error is a fifth too small", 0.8 * student_t_127_at_975}}},
+                   .sizes = Sizes::full_only});
 }
 
 }  // namespace

@@ -131,28 +131,28 @@ void add_exact_claims(Catalogue& catalogue) {
                                 "refutes a true density at most 1.3 times as often as its level, down to 1e-7.",
                    .source = "binomial sums over all counts; docs/statistics.md, Distributions",
                    .kind = Kind::bounded,
-                   .check = [](const Run&) { return two_cell_false_alarms(least_expected_count); },
-                   .mutants = {{"hundred", "an expected count of 100 whatever the level",
-                                [](const Run&) { return two_cell_false_alarms([](double) { return 100.0; }); }},
-                               {"five", "the textbook's expected count of 5",
-                                [](const Run&) { return two_cell_false_alarms([](double) { return 5.0; }); }}}});
+                   .trial = {two_cell_false_alarms,
+                             least_expected_count,
+                             {{"hundred", "an expected count of 100 whatever the level", [](double) { return 100.0; }},
+                              {"five", "the textbook's expected count of 5", [](double) { return 5.0; }}}}});
     catalogue.add({.id = "calibration/wrong-holds/two-cells",
                    .statement = "A density error of exactly delta, all in one cell, ends in `holds` in at most 1.3 % "
                                 "of the runs, however rare the cell.",
                    .source = "binomial sums over all counts; docs/statistics.md, Distributions",
                    .kind = Kind::bounded,
-                   .check = [](const Run&) { return two_cell_wrong_holds(holds_as_shipped); },
-                   .mutants = {{"variance-of-the-claim",
-                                "the noncentral chi-square's bound without the allowance for "
-                                "the variance of a cell that is too likely",
-                                [](const Run&) { return two_cell_wrong_holds(holds_by_variance_of_the_claim); }}}});
-    catalogue.add({.id = "calibration/undecided/two-cells",
-                   .statement = "A true density of two cells stays undecided with a probability of at most 1e-5.",
-                   .source = "binomial sums over all counts; docs/statistics.md, Distributions",
-                   .kind = Kind::bounded,
-                   .check = [](const Run&) { return two_cell_undecided(1); },
-                   .mutants = {{"half-the-samples", "half of the samples that the design asks for",
-                                [](const Run&) { return two_cell_undecided(0.5); }}}});
+                   .trial = {two_cell_wrong_holds,
+                             holds_as_shipped,
+                             {{"variance-of-the-claim",
+                               "the noncentral chi-square's bound without the allowance for "
+                               "the variance of a cell that is too likely",
+                               holds_by_variance_of_the_claim}}}});
+    catalogue.add(
+        {.id = "calibration/undecided/two-cells",
+         .statement = "A true density of two cells stays undecided with a probability of at most 1e-5.",
+         .source = "binomial sums over all counts; docs/statistics.md, Distributions",
+         .kind = Kind::bounded,
+         .trial = {
+             two_cell_undecided, 1, {{"half-the-samples", "half of the samples that the design asks for", 0.5}}}});
 }
 
 // ---- four cells, by simulation ----
@@ -187,22 +187,22 @@ Verdict four_cell_wrong_holds(double error_of_density, const Run& run) {
 }
 
 void add_simulated_claims(Catalogue& catalogue) {
-    catalogue.add({.id = "calibration/p-values/chi-square",
-                   .statement = "At an expected count of 100 the chi-square's p-value lies below 1 % in at most 1.3 % "
-                                "of the runs.",
-                   .source = "docs/statistics.md, Distributions",
-                   .kind = Kind::mean,
-                   .check = [](const Run& run) { return four_cell_false_alarms(3, run); },
-                   .mutants = {{"degrees-of-freedom-off-by-one", "cells − 2 degrees of freedom",
-                                [](const Run& run) { return four_cell_false_alarms(2, run); }}}});
-    catalogue.add({.id = "calibration/wrong-holds/four-cells",
-                   .statement = "A density error phi of exactly delta, spread over four cells, ends in `holds` in at "
-                                "most 1.3 % of the runs.",
-                   .source = "noncentral chi-square; docs/statistics.md, Distributions",
-                   .kind = Kind::mean,
-                   .check = [](const Run& run) { return four_cell_wrong_holds(0.2, run); },
-                   .mutants = {{"three-quarters-of-delta", "a density error of 0.75 delta passed off as delta",
-                                [](const Run& run) { return four_cell_wrong_holds(0.15, run); }}}});
+    catalogue.add(
+        {.id = "calibration/p-values/chi-square",
+         .statement = "At an expected count of 100 the chi-square's p-value lies below 1 % in at most 1.3 % "
+                      "of the runs.",
+         .source = "docs/statistics.md, Distributions",
+         .kind = Kind::mean,
+         .trial = {four_cell_false_alarms, 3, {{"degrees-of-freedom-off-by-one", "cells − 2 degrees of freedom", 2}}}});
+    catalogue.add(
+        {.id = "calibration/wrong-holds/four-cells",
+         .statement = "A density error phi of exactly delta, spread over four cells, ends in `holds` in at "
+                      "most 1.3 % of the runs.",
+         .source = "noncentral chi-square; docs/statistics.md, Distributions",
+         .kind = Kind::mean,
+         .trial = {four_cell_wrong_holds,
+                   0.2,
+                   {{"three-quarters-of-delta", "a density error of 0.75 delta passed off as delta", 0.15}}}});
 }
 
 }  // namespace

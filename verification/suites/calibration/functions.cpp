@@ -151,8 +151,7 @@ void add_calibration_claims_of_functions(Catalogue& catalogue) {
                        .statement = std::move(statement),
                        .source = "Abramowitz & Stegun 1964, 26.4 and 26.5, summed in MPFR",
                        .kind = Kind::bounded,
-                       .check = [=](const Run&) { return check(right); },
-                       .mutants = {{std::move(mutant), std::move(defect), [=](const Run&) { return check(wrong); }}}});
+                       .trial = {check, right, {{std::move(mutant), std::move(defect), wrong}}}});
     };
     add("normal", "The normal tail and quantile are right to 1e-12 from 1e-3 to 30 sigma.", normal_is_right,
         &normal_two_sided_tail, "one-minus-cdf", "the tail as 1 − cdf", &one_minus_cdf);

@@ -32,18 +32,23 @@ Moments moments_of(const Draw& draw, int count, const Run& run) {
     return moments;
 }
 
-void add(Catalogue& catalogue, std::string id, std::string statement, Kind kind,
-         std::function<Verdict(const Run&)> ours, std::string hole, std::string defect,
-         std::function<Verdict(const Run&)> theirs) {
-    const auto sees = [](const std::function<Verdict(const Run&)>& test) {
-        return [test](const Run& run) { return outcome_is(test(run), Outcome::refuted); };
-    };
+// Tests are what is judged here: each must refute what is wrong, ours as well as theirs. Wrapped, since a bare test
+// could pass for the claim's check.
+struct TestOnTrial {
+    Verdict (*test)(const Run&);
+};
+
+Verdict sees(const TestOnTrial& subject, const Run& run) {
+    return outcome_is(subject.test(run), Outcome::refuted);
+}
+
+void add(Catalogue& catalogue, std::string id, std::string statement, Kind kind, TestOnTrial ours, std::string hole,
+         std::string defect, TestOnTrial theirs) {
     catalogue.add({.id = "calibration/holes/" + id,
                    .statement = std::move(statement),
                    .source = "docs/statistics.md, Holes of other suites",
                    .kind = kind,
-                   .check = sees(ours),
-                   .mutants = {{std::move(hole), std::move(defect), sees(theirs)}}});
+                   .trial = {sees, ours, {{std::move(hole), std::move(defect), theirs}}}});
 }
 
 // ---- means ----
@@ -178,17 +183,17 @@ Verdict lost_mass_ignored(const Run& run) {
 
 void add_calibration_claims_of_holes(Catalogue& catalogue) {
     add(catalogue, "small-values", "A mean of 5e-5 that is claimed 4 % too large is refuted, small as its variance is.",
-        Kind::mean, small_mean, "floored-variance", "a t-test whose variance is at least 1e-5",
-        small_mean_with_floored_variance);
+        Kind::mean, {small_mean}, "floored-variance", "a t-test whose variance is at least 1e-5",
+        {small_mean_with_floored_variance});
     add(catalogue, "every-seed", "A mean that is 2 % off is refuted under each of twenty seeds.", Kind::mean,
-        every_seed, "until-green", "fresh seeds are tried until a 5 % test of 2000 values passes", until_green);
-    add(catalogue, "one-tile", "One tile of 400 that is 10 % too bright is found.", Kind::mean, every_tile,
+        {every_seed}, "until-green", "fresh seeds are tried until a 5 % test of 2000 values passes", {until_green});
+    add(catalogue, "one-tile", "One tile of 400 that is 10 % too bright is found.", Kind::mean, {every_tile},
         "quarter-percent-slack", "0.25 % of the tiles may fail after the correction for their number",
-        tiles_with_slack);
-    add(catalogue, "leak", "A leak of 1 % into ten rare cells is seen.", Kind::distribution, leak, "dropped-pool",
-        "a last pool with an expectation of at most 5 is dropped", leak_with_dropped_pool);
-    add(catalogue, "lost-mass", "A sampler that fails in 2 % of its calls is refuted.", Kind::distribution, lost_mass,
-        "successes-only", "only the samples that succeeded are tested", lost_mass_ignored);
+        {tiles_with_slack});
+    add(catalogue, "leak", "A leak of 1 % into ten rare cells is seen.", Kind::distribution, {leak}, "dropped-pool",
+        "a last pool with an expectation of at most 5 is dropped", {leak_with_dropped_pool});
+    add(catalogue, "lost-mass", "A sampler that fails in 2 % of its calls is refuted.", Kind::distribution, {lost_mass},
+        "successes-only", "only the samples that succeeded are tested", {lost_mass_ignored});
 }
 
 }  // namespace plumb::suites

@@ -58,14 +58,22 @@ private:
 // The few that exceed fifty times the level are cut there, so that the verdict on the rate is exact.
 constexpr double largest_weight = 50;
 
+using Simulation = std::function<SimulatedRun(const std::vector<double>& thetas, RandomStream& random)>;
+
 template <class Test>
-Verdict false_alarms(const Test& test, const TiltedLaw& law, const Run& run) {
+Simulation simulation_of(const Test& test, const TiltedLaw& law) {
+    return [=](const std::vector<double>& thetas, RandomStream& random) {
+        return simulate(test, law, thetas, law.cap(), random);
+    };
+}
+
+Verdict false_alarms(const Simulation& simulation, const TiltedLaw& law, const Run& run) {
     std::vector<double> thetas;
     for (double theta = law.delta_over_sigma / 2; theta < 0.25; theta *= 2)
         thetas.insert(thetas.end(), {-theta, theta});
     thetas.insert(thetas.end(), {-0.25, 0.25});
     const auto draw = [&](RandomStream& random) {
-        const SimulatedRun simulated = simulate(test, law, thetas, law.cap(), random);
+        const SimulatedRun simulated = simulation(thetas, random);
         return simulated.refuted ? std::min(simulated.weight / alpha_in_use, largest_weight) : 0.0;
     };
     return mean_at_most(draw, {.bound = aim, .margin = 0.8, .bounds = {0, largest_weight}}, run);
@@ -73,23 +81,25 @@ Verdict false_alarms(const Test& test, const TiltedLaw& law, const Run& run) {
 
 void add_false_alarm_claim(Catalogue& catalogue, const Trial& trial) {
     const TiltedLaw law = trial.law;
-    catalogue.add(
-        {.id = "calibration/false-alarms/" + trial.name,
-         .statement =
-             fmt::format("A true mean of {} values{} is refuted at most {} times as often as its level, {:.1e}.",
-                         law.name, law.bounds == Interval{} ? ", no bounds declared," : "", aim, alpha_in_use),
-         .source = "Ville 1939; Waudby-Smith & Ramdas 2024; docs/statistics.md",
-         .kind = Kind::mean,
-         .check = [law](const Run& run) { return false_alarms(law.test(law.mean), law, run); },
-         .mutants = {{"peeking", "a fixed-size z-test at this level, looked at after every 64 values",
-                      [law](const Run& run) { return false_alarms(PeekingZTest(law.mean, alpha_in_use), law, run); }}},
-         .sizes = trial.sizes});
+    catalogue.add({.id = "calibration/false-alarms/" + trial.name,
+                   .statement = fmt::format(
+                       "A true mean of {} values{} is refuted at most {} times as often as its level, {:.1e}.",
+                       law.name, law.bounds == Interval{} ? ", no bounds declared," : "", aim, alpha_in_use),
+                   .source = "Ville 1939; Waudby-Smith & Ramdas 2024; docs/statistics.md",
+                   .kind = Kind::mean,
+                   .trial = {[law](const Simulation& test, const Run& run) { return false_alarms(test, law, run); },
+                             simulation_of(law.test(law.mean), law),
+                             {{"peeking", "a fixed-size z-test at this level, looked at after every 64 values",
+                               simulation_of(PeekingZTest(law.mean, alpha_in_use), law)}}},
+                   .sizes = trial.sizes});
 }
 
 // ---- wrong holds ----
 
+// A test of new random numbers: whether it ends in `holds`.
+using EndsInHolds = std::function<bool(RandomStream&)>;
+
 // How often a test at a deviation of delta ends in `holds`.
-template <class EndsInHolds>
 Verdict wrong_holds(const EndsInHolds& ends_in_holds, double rate, const Run& run) {
     const auto draw = [&](RandomStream& random) { return ends_in_holds(random) ? 1.0 : 0.0; };
     return mean_at_most(draw, {.bound = rate, .margin = rate / 3, .bounds = {0, 1}}, run);
@@ -110,10 +120,8 @@ bool fixed_test_does_not_reject_at_delta(const TiltedLaw& law, RandomStream& ran
 
 void add_wrong_holds_claim(Catalogue& catalogue, const Trial& trial) {
     const TiltedLaw law = trial.law;
-    const auto check = [](auto&& ends_in_holds) {
-        return [=](const Run& run) {
-            return wrong_holds([&](RandomStream& random) { return ends_in_holds(random); }, aim * beta_in_use, run);
-        };
+    const auto check = [](const EndsInHolds& ends_in_holds, const Run& run) {
+        return wrong_holds(ends_in_holds, aim * beta_in_use, run);
     };
     catalogue.add(
         {.id = "calibration/wrong-holds/" + trial.name,
@@ -122,9 +130,10 @@ void add_wrong_holds_claim(Catalogue& catalogue, const Trial& trial) {
                                   law.name, law.bounds == Interval{} ? ", no bounds declared," : ""),
          .source = "docs/statistics.md, Mean claims",
          .kind = Kind::mean,
-         .check = check([law](RandomStream& random) { return holds_at_delta(law, random); }),
-         .mutants = {{"not-rejected", "a fixed-size test of 9 (sigma/delta)² values whose silence is read as `holds`",
-                      check([law](RandomStream& random) { return fixed_test_does_not_reject_at_delta(law, random); })}},
+         .trial = {check,
+                   [law](RandomStream& random) { return holds_at_delta(law, random); },
+                   {{"not-rejected", "a fixed-size test of 9 (sigma/delta)² values whose silence is read as `holds`",
+                     [law](RandomStream& random) { return fixed_test_does_not_reject_at_delta(law, random); }}}},
          .sizes = trial.sizes});
 }
 
@@ -185,18 +194,15 @@ void add_undecided_claims(Catalogue& catalogue) {
                                 "times that of Brownian motion at T = 25, whose formula gives 5e-9 at T = 100.",
                    .source = "first passage of Brownian motion; docs/statistics.md, Risks and shares",
                    .kind = Kind::mean,
-                   .check = [](const Run& run) { return undecided_though_true(1, run); },
-                   .mutants = {{"timid", "bets of half the size",
-                                [](const Run& run) { return undecided_though_true(0.5, run); }}}});
-    catalogue.add({.id = "calibration/undecided/rare",
-                   .statement =
-                       "A cap of max(100 sigma²/delta², 400 (hi − lo)/delta) leaves at most 1e-5 of true means "
-                       "of rare values undecided.",
-                   .source = "binomial tails; docs/statistics.md, Risks and shares",
-                   .kind = Kind::bounded,
-                   .check = [](const Run&) { return rare_values_are_decided(400); },
-                   .mutants = {{"variance-alone", "a cap of 100 sigma²/delta² whatever the range",
-                                [](const Run&) { return rare_values_are_decided(0); }}}});
+                   .trial = {undecided_though_true, 1, {{"timid", "bets of half the size", 0.5}}}});
+    catalogue.add(
+        {.id = "calibration/undecided/rare",
+         .statement = "A cap of max(100 sigma²/delta², 400 (hi − lo)/delta) leaves at most 1e-5 of true means "
+                      "of rare values undecided.",
+         .source = "binomial tails; docs/statistics.md, Risks and shares",
+         .kind = Kind::bounded,
+         .trial = {
+             rare_values_are_decided, 400, {{"variance-alone", "a cap of 100 sigma²/delta² whatever the range", 0}}}});
 }
 
 // ---- heavy tails ----
@@ -228,9 +234,10 @@ void add_heavy_tail_claims(Catalogue& catalogue) {
                                       a == 2 ? " (x^-1/2)" : ""),
              .source = "docs/statistics.md, Heavy tails",
              .kind = Kind::mean,
-             .check = [a](const Run& run) { return heavy_tails_hold(a, true, run); },
-             .mutants = {{"unguarded", "bounds are declared that the values do not have, which switches the guard off",
-                          [a](const Run& run) { return heavy_tails_hold(a, false, run); }}}});
+             .trial = {[a](bool guarded, const Run& run) { return heavy_tails_hold(a, guarded, run); },
+                       true,
+                       {{"unguarded", "bounds are declared that the values do not have, which switches the guard off",
+                         false}}}});
 }
 
 // ---- the evidence itself ----
@@ -282,22 +289,21 @@ Verdict p_value_is_valid(double inflated, const Run& run) {
 }
 
 void add_evidence_claims(Catalogue& catalogue) {
-    catalogue.add({.id = "calibration/evidence/fair",
-                   .statement = "Under the claim the expectation of the evidence against it is 1, over all outcomes of "
-                                "48 Bernoulli values.",
-                   .source = "Waudby-Smith & Ramdas 2024, eq. 15; enumeration of all 17³ block outcomes",
-                   .kind = Kind::bounded,
-                   .check = [](const Run&) { return evidence_is_fair(false); },
-                   .mutants = {{"best-look", "the largest evidence of three looks is treated as if it were the last",
-                                [](const Run&) { return evidence_is_fair(true); }}}});
+    catalogue.add(
+        {.id = "calibration/evidence/fair",
+         .statement = "Under the claim the expectation of the evidence against it is 1, over all outcomes of "
+                      "48 Bernoulli values.",
+         .source = "Waudby-Smith & Ramdas 2024, eq. 15; enumeration of all 17³ block outcomes",
+         .kind = Kind::bounded,
+         .trial = {evidence_is_fair,
+                   false,
+                   {{"best-look", "the largest evidence of three looks is treated as if it were the last", true}}}});
     catalogue.add(
         {.id = "calibration/p-values/mean",
          .statement = "The p-value of a true mean after sixty looks is at most 5 % in at most 5 % of the runs.",
          .source = "Ville 1939",
          .kind = Kind::mean,
-         .check = [](const Run& run) { return p_value_is_valid(1, run); },
-         .mutants = {{"overstated", "the evidence overstated five-fold",
-                      [](const Run& run) { return p_value_is_valid(5, run); }}}});
+         .trial = {p_value_is_valid, 1, {{"overstated", "the evidence overstated five-fold", 5}}}});
 }
 
 }  // namespace

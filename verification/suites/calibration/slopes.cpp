@@ -45,9 +45,9 @@ void add_coverage_claim(Catalogue& catalogue, const std::string& id, const std::
                                             what, 100 * rate),
                    .source = "delta method; docs/statistics.md, Rates and ratios",
                    .kind = Kind::mean,
-                   .check = [=](const Run& run) { return misses(test, level, rate, run); },
-                   .mutants = {{"interval-95", "the 95 % interval called a 99 % one",
-                                [=](const Run& run) { return misses(test, 5 * level, rate, run); }}},
+                   .trial = {[=](double alpha, const Run& run) { return misses(test, alpha, rate, run); },
+                             level,
+                             {{"interval-95", "the 95 % interval called a 99 % one", 5 * level}}},
                    .sizes = sizes});
 }
 
@@ -90,9 +90,9 @@ void add_calibration_claims_of_slopes(Catalogue& catalogue) {
                    .statement = "The p-value of a true slope is uniform over ten cells, to 10 % in phi.",
                    .source = "delta method; docs/statistics.md, Rates and ratios",
                    .kind = Kind::distribution,
-                   .check = [](const Run& run) { return slope_p_values_are_uniform(1, run); },
-                   .mutants = {{"error-a-fifth-small", "the slope's standard error is a fifth too small",
-                                [](const Run& run) { return slope_p_values_are_uniform(0.8, run); }}},
+                   .trial = {slope_p_values_are_uniform,
+                             1,
+                             {{"error-a-fifth-small", "the slope's standard error is a fifth too small", 0.8}}},
                    .sizes = Sizes::full_only});
 }
 

@@ -200,15 +200,16 @@ void add_compare_claims(Catalogue& catalogue) {
                    .statement = "Two honest renders are found equal; a spoiled one is refuted, and where it is.",
                    .source = "ours, docs/compare.md",
                    .kind = Kind::mean,
-                   .check = [=](const Run& run) { return comparison_shows(honest, {}, run); },
-                   .mutants = mutants_of(spoiled)});
-    catalogue.add({.id = "render/compare/honest",
-                   .statement = "200 pairs of honest renders with skewed noise and fireflies are not refuted.",
-                   .source = "ours, docs/compare.md",
-                   .kind = Kind::mean,
-                   .check = [](const Run& run) { return honest_pairs(1, run); },
-                   .mutants = {{"quarter-variance", "Layers of variances that are four times too small.",
-                                [](const Run& run) { return honest_pairs(0.25, run); }}}});
+                   .trial = {[](const Compared& subject, const Run& run) { return comparison_shows(subject, run); },
+                             {honest},
+                             std::move(spoiled)}});
+    catalogue.add(
+        {.id = "render/compare/honest",
+         .statement = "200 pairs of honest renders with skewed noise and fireflies are not refuted.",
+         .source = "ours, docs/compare.md",
+         .kind = Kind::mean,
+         .trial = {
+             honest_pairs, 1, {{"quarter-variance", "Layers of variances that are four times too small.", 0.25}}}});
     for (const int replicates : {2, 4})
         catalogue.add({.id = fmt::format("render/compare/level-{}-replicates", replicates),
                        .statement = fmt::format("Renders of {} replicates with skewed noise are refuted at most as "
@@ -216,16 +217,18 @@ void add_compare_claims(Catalogue& catalogue) {
                                                 replicates),
                        .source = "ours, docs/compare.md",
                        .kind = Kind::mean,
-                       .check = [=](const Run& run) { return level_is_kept(replicates, 1, run); },
-                       .mutants = {{"tenth-variance", "Layers of variances that are ten times too small.",
-                                    [=](const Run& run) { return level_is_kept(replicates, 0.1, run); }}}});
+                       .trial = {[=](double variance_scale, const Run& run) {
+                                     return level_is_kept(replicates, variance_scale, run);
+                                 },
+                                 1,
+                                 {{"tenth-variance", "Layers of variances that are ten times too small.", 0.1}}}});
     catalogue.add({.id = "render/compare/firefly",
                    .statement = "One firefly in one of two images leaves them undecided.",
                    .source = "ours, docs/compare.md",
                    .kind = Kind::mean,
-                   .check = [](const Run& run) { return one_firefly(1600, true, run); },
-                   .mutants = {{"unknown", "The layer of variances does not know of it.",
-                                [](const Run& run) { return one_firefly(1600, false, run); }}}});
+                   .trial = {[](bool known, const Run& run) { return one_firefly(1600, known, run); },
+                             true,
+                             {{"unknown", "The layer of variances does not know of it.", false}}}});
 }
 
 }  // namespace plumb::suites

@@ -73,9 +73,10 @@ bool is_refuted(const TwoSides& sides, double alpha) {
     return compared(sides, alpha).verdict.outcome == Outcome::refuted;
 }
 
-Verdict comparison_shows(const Pair& pair, const PixelBox& place, const Run& run, int tile) {
+Verdict comparison_shows(const Compared& subject, const Run& run, int tile) {
+    const PixelBox& place = subject.place;
     RandomStream random = run.random(0);
-    const ImageComparison found = compared(pair(random.bits() >> 8), run.alpha(), tile);
+    const ImageComparison found = compared(subject.pair(random.bits() >> 8), run.alpha(), tile);
     Verdict verdict = found.verdict;
     const bool shown = !found.differing.empty() && touches(found.tiles[found.differing.front()].box, place);
     if (verdict.outcome == Outcome::refuted && place.width > 0 && !shown) {
@@ -83,13 +84,6 @@ Verdict comparison_shows(const Pair& pair, const PixelBox& place, const Run& run
         verdict.reason = "refuted, but the place is not shown: " + verdict.reason;
     }
     return verdict;
-}
-
-std::vector<Mutant> mutants_of(const std::vector<Spoiled>& spoiled) {
-    std::vector<Mutant> mutants;
-    for (const Spoiled& s : spoiled)
-        mutants.push_back({s.id, s.defect, [s](const Run& run) { return comparison_shows(s.pair, s.place, run); }});
-    return mutants;
 }
 
 Verdict pairs_are_not_refuted(const std::function<TwoSides(std::uint64_t number, RandomStream& random)>& pair,

@@ -38,18 +38,16 @@ using Pair = std::function<TwoSides(std::uint64_t seed)>;
 ImageComparison compared(const TwoSides& sides, double alpha, int tile = 0);
 bool is_refuted(const TwoSides& sides, double alpha);
 
-/// The comparison's verdict, but a refutation counts only where the tile that differs most touches `place`; anywhere,
-/// where that has no pixels. `tile` as in ComparisonSettings.
-Verdict comparison_shows(const Pair& pair, const PixelBox& place, const Run& run, int tile = 0);
-
-/// A pair whose second render has a defect, and where that shows; no place: all over the picture.
-struct Spoiled {
-    std::string id, defect;
+/// Two renders, and where a defect of the second shows; no place: all over the picture.
+struct Compared {
     Pair pair;
     PixelBox place = {};
 };
-/// Each is to be refuted by comparison_shows().
-std::vector<Mutant> mutants_of(const std::vector<Spoiled>& spoiled);
+using Spoiled = Wrong<Compared>;
+
+/// The comparison's verdict, but a refutation counts only where the tile that differs most touches the place; anywhere,
+/// where that has no pixels. `tile` as in ComparisonSettings.
+Verdict comparison_shows(const Compared& subject, const Run& run, int tile = 0);
 
 /// 200 pairs (2000 in full) at 1e-5 each: refuted when there are more false alarms than that allows, holds when the
 /// upper bound of their rate is below 5 %.

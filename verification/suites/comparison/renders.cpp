@@ -136,10 +136,10 @@ double without_cosine_on_ball(const Scene& scene, const PathVertex& vertex, cons
     return vertex.hit.shape == ball ? arrives / std::abs(dot(vertex.frame.z, light.direction)) : arrives;
 }
 
-std::optional<SceneLightSample> without_point_at_times(const Scene& scene, const PathVertex& vertex,
-                                                       PrimarySamples& numbers, std::uint16_t number) {
-    const auto light = default_next_event().choose(scene, vertex, numbers, number);
-    const bool left_out = light && light->light == point && numbers.at({number, Use::wavelength}).u[0] < 0.01;
+std::optional<SceneLightSample> without_point_at_times(const Scene& scene, const PathVertex& vertex, Draws& draws,
+                                                       std::uint16_t number) {
+    const auto light = default_next_event().choose(scene, vertex, draws, number);
+    const bool left_out = light && light->light == point && draws.at({number, Use::wavelength})[0] < 0.01;
     return left_out ? std::nullopt : light;
 }
 
@@ -252,24 +252,23 @@ void add_compare_render_claims(Catalogue& catalogue) {
     for (Spoiled& render : renderers_spoiled()) spoiled.push_back(std::move(render));
     Job honest = still(4);
     honest.settings.passes = 64;
-    const auto is_honest = [=](const Run& run) {
+    const auto comparison_of_renders_shows = [](const Compared& subject, const Run& run) {
         constexpr int tile = 16;  // of smaller ones a few pixels have all the variance: no skewness is known well
-        return comparison_shows(against(honest, honest), {}, run, tile);
+        return comparison_shows(subject, run, tile);
     };
     catalogue.add({.id = "render/compare/renderers",
                    .statement = "Two renders of a scene are found equal; one by a renderer with a defect is refuted, "
                                 "and where it is.",
                    .source = "ours, docs/compare.md",
                    .kind = Kind::mean,
-                   .check = is_honest,
-                   .mutants = mutants_of(spoiled)});
-    catalogue.add({.id = "render/compare/honest-renders",
-                   .statement = "200 pairs of renders by `path`, `light` and `direct` are not refuted.",
-                   .source = "ours, docs/compare.md",
-                   .kind = Kind::mean,
-                   .check = [](const Run& run) { return honest_pairs(1, run); },
-                   .mutants = {{"quarter-variance", "Layers of variances that are four times too small.",
-                                [](const Run& run) { return honest_pairs(0.25, run); }}}});
+                   .trial = {comparison_of_renders_shows, {against(honest, honest)}, std::move(spoiled)}});
+    catalogue.add(
+        {.id = "render/compare/honest-renders",
+         .statement = "200 pairs of renders by `path`, `light` and `direct` are not refuted.",
+         .source = "ours, docs/compare.md",
+         .kind = Kind::mean,
+         .trial = {
+             honest_pairs, 1, {{"quarter-variance", "Layers of variances that are four times too small.", 0.25}}}});
 }
 
 }  // namespace plumb::suites

@@ -59,6 +59,26 @@ Verdict exp_single_variance(const Draw& draw, const Pmf& pmf, const Run& run) {
     return variance_is(draw, forecast_single_term(exp_difference, nothing, one, pmf, 60).variance, 0.05, 120000, run);
 }
 
+struct Forecast {
+    Draw draw;
+    double variance;
+};
+
+Verdict forecast_is_variance(const Forecast& forecast, const Run& run) {
+    return variance_is(forecast.draw, forecast.variance, 0.05, 60000, run);
+}
+
+double exp_sum_variance() {
+    return forecast_roulette_sum(exp_difference, nothing, one, Geometric(0.5), 60).variance;
+}
+
+double exp_sum_variance_of_independent_terms() {
+    double variance = 0;
+    for (std::uint64_t k = 0; k < 60; ++k)
+        variance += std::pow(exp_difference(k), 2) * (1 / Geometric(0.5).tail(k) - 1);
+    return variance;
+}
+
 }  // namespace
 
 void add_forecast_claims(Catalogue& catalogue) {
@@ -67,71 +87,53 @@ void add_forecast_claims(Catalogue& catalogue) {
         .statement = "Forecast variance and cost agree with their closed forms.",
         .source = "Rhee & Glynn 2015, theorems 1 and 2; closed forms ours",
         .kind = Kind::bounded,
-        .check = [](const Run&) { return forecasts_are_closed_forms(1); },
-        .mutants = {{"counted-from-zero", "A roulette sum is said to evaluate K differences, not K + 1.",
-                     [](const Run&) { return forecasts_are_closed_forms(0); }}},
+        .trial = {forecasts_are_closed_forms,
+                  1,
+                  {{"counted-from-zero", "A roulette sum is said to evaluate K differences, not K + 1.", 0}}},
     });
     catalogue.add({
         .id = "debiasing/forecast/single-term-variance",
         .statement = "The single-term estimator has the variance Σ Δ_k²/p_k − (I − I_0)².",
         .source = "Rhee & Glynn 2015; ours, estimators/debiasing/telescoping.h",
         .kind = Kind::ratio,
-        .check =
-            [](const Run& run) { return exp_single_variance(exp_single_term(Geometric(0.5)), Geometric(0.5), run); },
-        .mutants = {{"another-pmf", "K is drawn and weighted with r = 0.51.",
-                     [](const Run& run) {
-                         return exp_single_variance(exp_single_term(Geometric(0.51)), Geometric(0.5), run);
-                     }}},
+        .trial = {[](const Draw& draw, const Run& run) { return exp_single_variance(draw, Geometric(0.5), run); },
+                  exp_single_term(Geometric(0.5)),
+                  {{"another-pmf", "K is drawn and weighted with r = 0.51.", exp_single_term(Geometric(0.51))}}},
     });
     catalogue.add({
         .id = "debiasing/forecast/roulette-sum-variance",
         .statement = "The roulette sum has the variance Σ (e_k² − e_{k+1}²)/P(K ≥ k) − e_0².",
         .source = "Rhee & Glynn 2015, theorem 1",
         .kind = Kind::ratio,
-        .check =
-            [](const Run& run) {
-                const double forecast =
-                    forecast_roulette_sum(exp_difference, nothing, one, Geometric(0.5), 60).variance;
-                return variance_is(exp_roulette_sum(Geometric(0.5)), forecast, 0.05, 60000, run);
-            },
-        .mutants = {{"another-pmf", "K is drawn and weighted with r = 0.48.",
-                     [](const Run& run) {
-                         const double forecast =
-                             forecast_roulette_sum(exp_difference, nothing, one, Geometric(0.5), 60).variance;
-                         return variance_is(exp_roulette_sum(Geometric(0.48)), forecast, 0.05, 60000, run);
-                     }},
-                    {"independent-sum", "The variance of independent terms, Σ Δ_k²/P(K ≥ k) − Σ Δ_k².",
-                     [](const Run& run) {
-                         double independent = 0;
-                         for (std::uint64_t k = 0; k < 60; ++k)
-                             independent += std::pow(exp_difference(k), 2) * (1 / Geometric(0.5).tail(k) - 1);
-                         return variance_is(exp_roulette_sum(Geometric(0.5)), independent, 0.05, 60000, run);
-                     }}},
+        .trial = {forecast_is_variance,
+                  {exp_roulette_sum(Geometric(0.5)), exp_sum_variance()},
+                  {{"another-pmf",
+                    "K is drawn and weighted with r = 0.48.",
+                    {exp_roulette_sum(Geometric(0.48)), exp_sum_variance()}},
+                   {"independent-sum",
+                    "The variance of independent terms, Σ Δ_k²/P(K ≥ k) − Σ Δ_k².",
+                    {exp_roulette_sum(Geometric(0.5)), exp_sum_variance_of_independent_terms()}}}},
     });
     catalogue.add({
         .id = "debiasing/forecast/reciprocal-variance",
         .statement = "The roulette sum of prefix products has the variance (1+y)/(1−y) · s r/(r−s) − (y/(1−y))².",
         .source = "ours, verification/suites/debiasing/telescoping.cpp",
         .kind = Kind::ratio,
-        .check = [](const Run& run) { return variance_is(reciprocal, reciprocal_variance(), 0.05, 80000, run); },
-        .mutants = {{"powers-of-one-sample", "All factors are the same sample.",
-                     [](const Run& run) {
-                         return variance_is(reciprocal_from_powers, reciprocal_variance(), 0.05, 80000, run);
-                     }}},
+        .trial = {[](const Draw& draw, const Run& run) {
+                      return variance_is(draw, reciprocal_variance(), 0.05, 80000, run);
+                  },
+                  reciprocal,
+                  {{"powers-of-one-sample", "All factors are the same sample.", reciprocal_from_powers}}},
     });
     catalogue.add({
         .id = "debiasing/forecast/cost",
         .statement = "A telescoped trapezoidal rule evaluates 2 + Σ 2^k P(K ≥ k) times on average.",
         .source = "ours, estimators/debiasing/telescoping.h",
         .kind = Kind::cost,
-        .check =
-            [](const Run&) {
-                return trapezoid_cost([](std::uint64_t k) { return std::ldexp(1, static_cast<int>(k)); });
-            },
-        .mutants = {{"rules-not-nested", "Each refinement is said to evaluate all its 2^(k+1) + 1 points anew.",
-                     [](const Run&) {
-                         return trapezoid_cost([](std::uint64_t k) { return std::ldexp(2, static_cast<int>(k)) + 1; });
-                     }}},
+        .trial = {trapezoid_cost,
+                  [](std::uint64_t k) { return std::ldexp(1, static_cast<int>(k)); },
+                  {{"rules-not-nested", "Each refinement is said to evaluate all its 2^(k+1) + 1 points anew.",
+                    [](std::uint64_t k) { return std::ldexp(2, static_cast<int>(k)) + 1; }}}},
     });
 }
 

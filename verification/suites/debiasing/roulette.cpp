@@ -90,45 +90,41 @@ void add_roulette_claims(Catalogue& catalogue) {
             "Nested Russian roulettes keep the mean and have the variance (σ² + μ²)/q − μ², over every outcome.",
         .source = "Arvo & Kirk 1990; variance ours, estimators/debiasing/russian_roulette.h",
         .kind = Kind::exact,
-        .check = [](const Run&) { return roulette_enumerated({}); },
-        .mutants = {{"not-reweighted", "Survivors are not divided by q.",
-                     [](const Run&) { return roulette_enumerated(not_reweighted<Rational>); }},
-                    {"next-q", "Survivors are divided by the survival probability of the next vertex.",
-                     [](const Run&) { return roulette_enumerated(with_next_q<Rational>); }}},
+        .trial = {roulette_enumerated,
+                  {},
+                  {{"not-reweighted", "Survivors are not divided by q.", not_reweighted<Rational>},
+                   {"next-q", "Survivors are divided by the survival probability of the next vertex.",
+                    with_next_q<Rational>}}},
     });
     catalogue.add({
         .id = "debiasing/roulette/mean",
         .statement = "Russian roulette keeps the mean.",
         .source = "Arvo & Kirk 1990",
         .kind = Kind::mean,
-        .check = [](const Run& run) { return roulette_mean({}, run); },
-        .mutants = {{"not-reweighted", "Survivors are not divided by q.",
-                     [](const Run& run) { return roulette_mean(not_reweighted<double>, run); }},
-                    {"rounded-q", "Survivors are divided by 0.31, the probability of another table's row.",
-                     [](const Run& run) {
-                         return roulette_mean([](double value, double q) { return value / (q + 0.01); }, run);
-                     }}},
+        .trial = {roulette_mean,
+                  {},
+                  {{"not-reweighted", "Survivors are not divided by q.", not_reweighted<double>},
+                   {"rounded-q", "Survivors are divided by 0.31, the probability of another table's row.",
+                    [](double value, double q) { return value / (q + 0.01); }}}},
     });
     catalogue.add({
         .id = "debiasing/roulette/variance",
         .statement = "The variance of roulette is (σ² + μ²)/q − μ².",
         .source = "ours, estimators/debiasing/russian_roulette.h",
         .kind = Kind::ratio,
-        .check = [](const Run& run) { return roulette_variance_is({}, run); },
-        .mutants = {{"next-q", "Survivors are divided by the survival probability of the next vertex.",
-                     [](const Run& run) { return roulette_variance_is(with_next_q<double>, run); }},
-                    {"rounded-q", "Survivors are divided by 0.32, not 0.3.",
-                     [](const Run& run) {
-                         return roulette_variance_is([](double value, double q) { return value / (q + 0.02); }, run);
-                     }}},
+        .trial = {roulette_variance_is,
+                  {},
+                  {{"next-q", "Survivors are divided by the survival probability of the next vertex.",
+                    with_next_q<double>},
+                   {"rounded-q", "Survivors are divided by 0.32, not 0.3.",
+                    [](double value, double q) { return value / (q + 0.02); }}}},
     });
     catalogue.add({
         .id = "debiasing/roulette/cost",
         .statement = "Roulette with q evaluates n q times on average.",
         .source = "ours, estimators/debiasing/russian_roulette.h",
         .kind = Kind::mean,
-        .check = [](const Run& run) { return roulette_cost(survival, run); },
-        .mutants = {{"other-q", "q is 0.315, not 0.3.", [](const Run& run) { return roulette_cost(0.315, run); }}},
+        .trial = {roulette_cost, survival, {{"other-q", "q is 0.315, not 0.3.", 0.315}}},
     });
 }
 

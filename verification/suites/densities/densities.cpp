@@ -123,11 +123,18 @@ std::vector<double> square_masses(const Density& density) {
     return masses;
 }
 
-template <class Sampler, class Density>
-Verdict points_follow(const Sampler& sampler, const Density& density, const Run& run) {
+using Sample2d = std::function<Point<2>(const Point<2>& u)>;
+
+template <class Density>
+Sample2d sample_of(const Density& density) {
+    return [density](const Point<2>& u) { return density.sample(u); };
+}
+
+template <class Density>
+Verdict points_follow(const Sample2d& sample, const Density& density, const Run& run) {
     const auto draw = [&](RandomStream& random) {
         const double u = random.uniform();
-        const Point<2> p = sampler.sample({u, random.uniform()});
+        const Point<2> p = sample({u, random.uniform()});
         return std::min(equal_cell(p[0], side) + side * equal_cell(p[1], side), side * side);
     };
     return distribution_is(draw, {square_masses(density), 0.05}, run);
@@ -144,8 +151,8 @@ struct BilinearWithMeanConditional {
 using Integers = std::vector<std::uint64_t>;
 
 /// What each index gets from all columns, as n w_i.
-template <class ThresholdOf>
-Verdict alias_masses(const ThresholdOf& threshold_of) {
+using ThresholdOf = std::uint64_t (*)(const AliasTable<std::uint64_t>& table, std::size_t column);
+Verdict alias_masses(ThresholdOf threshold_of) {
     std::uint64_t cases = 0;
     for (std::uint64_t code = 1; code < 5 * 5 * 5 * 5; ++code, ++cases) {
         const Integers weights{code % 5, code / 5 % 5, code / 25 % 5, code / 125};
@@ -165,8 +172,7 @@ Verdict alias_masses(const ThresholdOf& threshold_of) {
     return exactly(true, cases, "every index holds exactly its weight");
 }
 
-template <class PositionShift>
-Verdict cdf_positions(const PositionShift& shift) {
+Verdict cdf_positions(std::uint64_t (*shift)(std::uint64_t position)) {
     std::uint64_t cases = 0;
     for (std::uint64_t code = 1; code < 5 * 5 * 5 * 5; ++code, ++cases) {
         const Integers weights{code % 5, code / 5 % 5, code / 25 % 5, code / 125};
@@ -202,35 +208,30 @@ void add_one_dimensional(Catalogue& catalogue, const DensityCase& density) {
         .statement = density.title + "'s pdf is the derivative of its CDF and integrates to 1.",
         .source = density.source,
         .kind = Kind::bounded,
-        .check = [density](const Run&) { return pdf_is_derivative(density.right); },
-        .mutants = {{"off-by-normalisation", density.pdf_defect,
-                     [density](const Run&) { return pdf_is_derivative(density.wrong_pdf); }}},
+        .trial = {pdf_is_derivative, density.right, {{"off-by-normalisation", density.pdf_defect, density.wrong_pdf}}},
     });
     catalogue.add({
         .id = id + "/inverse",
         .statement = density.title + "'s sample() inverts its CDF and stays in [0, 1].",
         .source = density.source,
         .kind = Kind::bounded,
-        .check = [density](const Run&) { return sample_inverts_cdf(density.right); },
-        .mutants = {{"another-sampler", density.sample_defect,
-                     [density](const Run&) {
-                         return sample_inverts_cdf({density.wrong_sample, density.right.pdf, density.right.invert});
-                     }}},
+        .trial = {sample_inverts_cdf,
+                  density.right,
+                  {{"another-sampler",
+                    density.sample_defect,
+                    {density.wrong_sample, density.right.pdf, density.right.invert}}}},
     });
     catalogue.add({
         .id = id + "/distribution",
         .statement = density.title + "'s samples fall into cells with the integrals of its pdf.",
         .source = density.source,
         .kind = Kind::distribution,
-        .check = [density](const Run& run) { return samples_follow(density.right.sample, density.right.pdf, run); },
-        .mutants = {{"another-sampler", density.sample_defect,
-                     [density](const Run& run) {
-                         return samples_follow(density.wrong_sample, density.right.pdf, run);
-                     }},
-                    {"parameter-off", density.small_defect,
-                     [density](const Run& run) {
-                         return samples_follow(density.nearly_right_sample, density.right.pdf, run);
-                     }}},
+        .trial = {[density](const std::function<double(double)>& sample, const Run& run) {
+                      return samples_follow(sample, density.right.pdf, run);
+                  },
+                  density.right.sample,
+                  {{"another-sampler", density.sample_defect, density.wrong_sample},
+                   {"parameter-off", density.small_defect, density.nearly_right_sample}}},
     });
 }
 
@@ -243,85 +244,67 @@ void add_two_dimensional(Catalogue& catalogue) {
         .statement = "The bilinear density's samples fall into cells with the integrals of its pdf.",
         .source = "ours, estimators/densities/density_2d.h",
         .kind = Kind::distribution,
-        .check = [](const Run& run) { return points_follow(bilinear, bilinear, run); },
-        .mutants = {{"mean-conditional", "y is drawn from one density, whatever x is.",
-                     [](const Run& run) { return points_follow(BilinearWithMeanConditional{}, bilinear, run); }}},
+        .trial = {[](const Sample2d& sample, const Run& run) { return points_follow(sample, bilinear, run); },
+                  sample_of(bilinear),
+                  {{"mean-conditional", "y is drawn from one density, whatever x is.",
+                    sample_of(BilinearWithMeanConditional{})}}},
     });
     catalogue.add({
         .id = "density/product/distribution",
         .statement = "A product density's samples fall into cells with the integrals of its pdf.",
         .source = "ours, estimators/densities/density_2d.h",
         .kind = Kind::distribution,
-        .check = [](const Run& run) { return points_follow(product, product, run); },
-        .mutants = {{"axis-left-uniform", "The second axis is not warped.",
-                     [](const Run& run) {
-                         const ProductDensity<TruncatedExponential, UniformDensity> half{TruncatedExponential(2), {}};
-                         return points_follow(half, product, run);
-                     }},
-                    {"steeper-axis", "The second axis rises to 6, not 3.",
-                     [](const Run& run) {
-                         const ProductDensity<TruncatedExponential, LinearDensity> steep{TruncatedExponential(2),
-                                                                                         LinearDensity(1, 6)};
-                         return points_follow(steep, product, run);
-                     }}},
+        .trial = {[](const Sample2d& sample, const Run& run) { return points_follow(sample, product, run); },
+                  sample_of(product),
+                  {{"axis-left-uniform", "The second axis is not warped.",
+                    sample_of(ProductDensity<TruncatedExponential, UniformDensity>{TruncatedExponential(2), {}})},
+                   {"steeper-axis", "The second axis rises to 6, not 3.",
+                    sample_of(ProductDensity<TruncatedExponential, LinearDensity>{TruncatedExponential(2),
+                                                                                  LinearDensity(1, 6)})}}},
     });
 }
 
 void add_discrete(Catalogue& catalogue) {
     using Table = AliasTable<std::uint64_t>;
+    const DiscreteCdf<std::uint64_t> cdf(discrete_weights);
     catalogue.add({
         .id = "discrete/alias/exact",
         .statement = "An alias table of integer weights gives every index exactly its weight.",
         .source = "Vose 1991",
         .kind = Kind::exact,
-        .check =
-            [](const Run&) {
-                return alias_masses([](const Table& t, std::size_t i) { return t.columns()[i].threshold; });
-            },
-        .mutants = {{"swapped-threshold", "The alias gets the column's own part.",
-                     [](const Run&) {
-                         return alias_masses(
-                             [](const Table& t, std::size_t i) { return t.total() - t.columns()[i].threshold; });
-                     }}},
+        .trial = {alias_masses,
+                  [](const Table& t, std::size_t i) { return t.columns()[i].threshold; },
+                  {{"swapped-threshold", "The alias gets the column's own part.",
+                    [](const Table& t, std::size_t i) { return t.total() - t.columns()[i].threshold; }}}},
     });
     catalogue.add({
         .id = "discrete/cdf/exact",
         .statement = "CDF inversion of integer weights hits every index exactly as often as its weight says.",
         .source = "ours, estimators/densities/discrete.h",
         .kind = Kind::exact,
-        .check = [](const Run&) { return cdf_positions([](std::uint64_t position) { return position; }); },
-        .mutants = {{"off-by-one", "Positions are counted from 1.",
-                     [](const Run&) { return cdf_positions([](std::uint64_t position) { return position + 1; }); }}},
+        .trial = {cdf_positions,
+                  [](std::uint64_t position) { return position; },
+                  {{"off-by-one", "Positions are counted from 1.",
+                    [](std::uint64_t position) { return position + 1; }}}},
     });
     catalogue.add({
         .id = "discrete/alias/distribution",
         .statement = "Draws from an alias table follow the weights.",
         .source = "Vose 1991",
         .kind = Kind::distribution,
-        .check =
-            [](const Run& run) {
-                const Table table(discrete_weights);
-                return indices_follow([&](RandomStream& random) { return table.sample(random); }, run);
-            },
-        .mutants = {{"swapped-threshold", "The alias gets the column's own part.",
-                     [](const Run& run) { return indices_follow(alias_with_swapped_threshold, run); }}},
+        .trial = {indices_follow,
+                  [table = Table(discrete_weights)](RandomStream& random) { return table.sample(random); },
+                  {{"swapped-threshold", "The alias gets the column's own part.", alias_with_swapped_threshold}}},
     });
     catalogue.add({
         .id = "discrete/cdf/distribution",
         .statement = "Draws by CDF inversion follow the weights.",
         .source = "ours, estimators/densities/discrete.h",
         .kind = Kind::distribution,
-        .check =
-            [](const Run& run) {
-                const DiscreteCdf<std::uint64_t> cdf(discrete_weights);
-                return indices_follow([&](RandomStream& random) { return cdf.sample(random); }, run);
-            },
-        .mutants = {{"off-by-one", "Positions are counted from 1.",
-                     [](const Run& run) {
-                         const DiscreteCdf<std::uint64_t> cdf(discrete_weights);
-                         return indices_follow(
-                             [&](RandomStream& random) { return cdf.at(random.below(cdf.total()) + 1); }, run);
-                     }}},
+        .trial = {indices_follow,
+                  [cdf](RandomStream& random) { return cdf.sample(random); },
+                  {{"off-by-one", "Positions are counted from 1.",
+                    [cdf](RandomStream& random) { return cdf.at(random.below(cdf.total()) + 1); }}}},
     });
 }
 

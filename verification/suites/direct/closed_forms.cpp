@@ -192,14 +192,11 @@ Verdict is_closed_form(const std::vector<Case>& cases, const Technique& techniqu
 // ---- mutants
 
 using Estimator = std::shared_ptr<const PathEstimator>;
-struct Defect {
-    std::string id, sentence;
-    Estimator estimator;
-};
+using Defect = Wrong<Estimator>;
 
-std::optional<SceneLightSample> chosen(const Scene& scene, const PathVertex& vertex, PrimarySamples& samples,
+std::optional<SceneLightSample> chosen(const Scene& scene, const PathVertex& vertex, Draws& draws,
                                        std::uint16_t number) {
-    return default_next_event().choose(scene, vertex, samples, number);
+    return default_next_event().choose(scene, vertex, draws, number);
 }
 
 NextEvent with_choice(decltype(NextEvent::choose) choose) {
@@ -215,14 +212,14 @@ NextEvent with_weight(decltype(NextEvent::weight) weight) {
 
 std::vector<Defect> emitter_defects() {
     const NextEvent no_cosine =
-        with_choice([](const Scene& scene, const PathVertex& vertex, PrimarySamples& samples, std::uint16_t number) {
-            auto light = chosen(scene, vertex, samples, number);
+        with_choice([](const Scene& scene, const PathVertex& vertex, Draws& draws, std::uint16_t number) {
+            auto light = chosen(scene, vertex, draws, number);
             if (light) light->sample.radiance *= 1 / std::abs(dot(vertex.frame.z, light->sample.direction));
             return light;
         });
     const NextEvent per_area =
-        with_choice([](const Scene& scene, const PathVertex& vertex, PrimarySamples& samples, std::uint16_t number) {
-            auto light = chosen(scene, vertex, samples, number);
+        with_choice([](const Scene& scene, const PathVertex& vertex, Draws& draws, std::uint16_t number) {
+            auto light = chosen(scene, vertex, draws, number);
             if (light) {
                 const EmitterSample& s = light->sample;
                 light->pdf /= per_steradian(1, s.distance, std::abs(dot(s.surface->normal, s.direction)));
@@ -239,8 +236,8 @@ std::vector<Defect> bsdf_defects() {
     std::vector<Defect> defects{{"another-density",
                                  "Directions are uniform, their weight is that of cosine-weighted ones.",
                                  std::make_shared<DirectBy>([](const Scene& scene, const PathVertex& vertex,
-                                                               PrimarySamples& samples, PathRecord& record) {
-                                     Vec3 local = sample_uniform_sphere(samples.at({1, Use::direction}).u);
+                                                               const Draws& of_vertex, PathRecord& record) {
+                                     Vec3 local = sample_uniform_sphere(of_vertex.branch().at({1, Use::direction}));
                                      local.z = std::abs(local.z);
                                      const Vec3 wi = vertex.frame.to_world(local);
                                      const auto hit = scene.intersect(leave(vertex.hit.point, wi), 0, record.rays);
@@ -248,12 +245,12 @@ std::vector<Defect> bsdf_defects() {
                                  })}};
     defects.push_back(
         {"frame-of-the-world", "The sample's direction is not turned from the shading frame into the world's.",
-         std::make_shared<DirectBy>(
-             [](const Scene& scene, const PathVertex& vertex, PrimarySamples& samples, PathRecord& record) {
-                 PathVertex other = vertex;
-                 other.frame = Frame(up);
-                 return light_from_bsdf(scene, other, 1, LightTechniques::bsdf, default_next_event(), samples, record);
-             })});
+         std::make_shared<DirectBy>([](const Scene& scene, const PathVertex& vertex, const Draws& of_vertex,
+                                       PathRecord& record) {
+             PathVertex other = vertex;
+             other.frame = Frame(up);
+             return light_from_bsdf(scene, other, 1, LightTechniques::bsdf, default_next_event(), of_vertex, record);
+         })});
     return defects;
 }
 
@@ -262,10 +259,10 @@ std::vector<Defect> mis_defects() {
     const NextEvent all = with_weight([](double, double) { return 1.0; });
     return {{"squared-on-one-side", "The power heuristic for emitters, the balance heuristic for BSDFs.",
              std::make_shared<DirectBy>(
-                 [balance](const Scene& scene, const PathVertex& vertex, PrimarySamples& samples, PathRecord& record) {
+                 [balance](const Scene& scene, const PathVertex& vertex, const Draws& of_vertex, PathRecord& record) {
                      constexpr auto both = LightTechniques::both;
-                     return light_from_emitters(scene, vertex, 1, both, default_next_event(), samples, record) +
-                            light_from_bsdf(scene, vertex, 1, both, balance, samples, record);
+                     return light_from_emitters(scene, vertex, 1, both, default_next_event(), of_vertex, record) +
+                            light_from_bsdf(scene, vertex, 1, both, balance, of_vertex, record);
                  })},
             {"counted-twice", "Both techniques count in full.", std::make_shared<Direct>(LightTechniques::both, all)}};
 }
@@ -287,20 +284,19 @@ struct Family {
 
 void add_family(Catalogue& catalogue, const Family& family) {
     for (const Technique& technique : techniques()) {
-        const auto check = [=](const Estimator& estimator) {
-            return [=](const Run& run) { return is_closed_form(family.cases(), technique, *estimator, run); };
+        const auto check = [=](const Estimator& estimator, const Run& run) {
+            return is_closed_form(family.cases(), technique, *estimator, run);
         };
-        std::vector<Mutant> mutants;
-        for (const Defect& defect : defects_of(technique))
-            if (std::ranges::find(family.left_out, defect.id) == family.left_out.end())
-                mutants.push_back({defect.id, defect.sentence, check(defect.estimator)});
+        std::vector<Defect> defects = defects_of(technique);
+        std::erase_if(defects, [&](const Defect& defect) {
+            return std::ranges::find(family.left_out, defect.id) != family.left_out.end();
+        });
         catalogue.add(
             {.id = fmt::format("direct/{}/{}", family.id, technique.id),
              .statement = fmt::format("The renderer's direct light, by {}, is {}.", technique.title, family.statement),
              .source = family.source,
              .kind = Kind::mean,
-             .check = check(std::make_shared<Direct>(technique.used)),
-             .mutants = std::move(mutants)});
+             .trial = {check, std::make_shared<Direct>(technique.used), std::move(defects)}});
     }
 }
 

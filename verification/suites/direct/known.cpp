@@ -76,6 +76,8 @@ Verdict all_known(const ShippedScene& shipped, const PathEstimator& estimator, c
     return all_of(std::move(parts));
 }
 
+using Estimator = std::shared_ptr<const PathEstimator>;
+
 /// Adds to every path what a black point does not hide.
 struct Foggy final : PathEstimator {
     void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
@@ -91,23 +93,22 @@ void add_direct_known_claims(Catalogue& catalogue) {
     for (const ShippedScene& shipped : shipped_scenes()) {
         const std::size_t count = direct_radiances(shipped).size();
         if (count == 0) continue;
-        const auto check = [=](std::shared_ptr<const PathEstimator> estimator) {
-            return [=](const Run& run) { return all_known(shipped, *estimator, run); };
+        const auto check = [=](const Estimator& estimator, const Run& run) {
+            return all_known(shipped, *estimator, run);
         };
-        std::vector<Mutant> mutants;
         const auto black = [](const KnownRadiance& r) { return is_black(r.value); };
-        if (const auto known = direct_radiances(shipped); !std::ranges::all_of(known, black))
-            mutants.push_back({"slightly-bright", "2.5 % too bright.",
-                               check(std::make_shared<Scaled>(std::make_shared<Direct>(), 1.025))});
-        else
-            mutants.push_back({"fog", "2.5e-3 is added everywhere.", check(std::make_shared<Foggy>())});
-        catalogue.add({.id = fmt::format("direct/{}/known", shipped.name),
-                       .statement = fmt::format("Direct light in the scene {} is {} {} that its expected.json knows.",
-                                                shipped.name, count, count == 1 ? "radiance" : "radiances"),
-                       .source = fmt::format("scenes/shipped/{}/expected.json", shipped.name),
-                       .kind = Kind::mean,
-                       .check = check(std::make_shared<Direct>()),
-                       .mutants = std::move(mutants)});
+        const auto known = direct_radiances(shipped);
+        const Wrong<Estimator> slightly_bright{"slightly-bright", "2.5 % too bright.",
+                                               std::make_shared<Scaled>(std::make_shared<Direct>(), 1.025)};
+        const Wrong<Estimator> fog{"fog", "2.5e-3 is added everywhere.", std::make_shared<Foggy>()};
+        catalogue.add(
+            {.id = fmt::format("direct/{}/known", shipped.name),
+             .statement = fmt::format("Direct light in the scene {} is {} {} that its expected.json knows.",
+                                      shipped.name, count, count == 1 ? "radiance" : "radiances"),
+             .source = fmt::format("scenes/shipped/{}/expected.json", shipped.name),
+             .kind = Kind::mean,
+             .trial = {
+                 check, std::make_shared<Direct>(), {std::ranges::all_of(known, black) ? fog : slightly_bright}}});
     }
 }
 

@@ -70,26 +70,26 @@ std::vector<Estimator> changed(Changed::Factor factor) {
     return {std::make_shared<Changed>(factor)};
 }
 
-std::vector<Mutant> unsound(const std::function<Check(const std::vector<Estimator>&)>& check) {
+std::vector<Wrong<std::vector<Estimator>>> unsound() {
     return {{"nan", "A weight is 0/0 where both densities are 0.",
-             check(changed([](const Scene& scene, PrimarySamples&, const PathRecord& record) {
+             changed([](const Scene& scene, PrimarySamples&, const PathRecord& record) {
                  const double p = density_elsewhere(scene, record);
                  return p / (p + p);
-             }))},
+             })},
             {"infinite", "A density of 0 is divided by.",
-             check(changed([](const Scene& scene, PrimarySamples&, const PathRecord& record) {
+             changed([](const Scene& scene, PrimarySamples&, const PathRecord& record) {
                  return 1 / density_elsewhere(scene, record);
-             }))},
+             })},
             {"negative", "A control variate takes more than there is.",
-             check(changed([](const Scene&, PrimarySamples& samples, const PathRecord&) {
+             changed([](const Scene&, PrimarySamples& samples, const PathRecord&) {
                  return 1 - 2 * samples.at({1, Use::roulette}).u[0];
-             }))}};
+             })}};
 }
 
 void add_values(Catalogue& catalogue) {
     for (const ShippedScene& shipped : shipped_scenes()) {
-        const auto check = [=](const std::vector<Estimator>& estimators) {
-            return [=](const Run& run) { return values_are_sound(shipped, estimators, run); };
+        const auto check = [=](const std::vector<Estimator>& estimators, const Run& run) {
+            return values_are_sound(shipped, estimators, run);
         };
         catalogue.add(
             {.id = fmt::format("direct/{}/sound", shipped.name),
@@ -97,9 +97,10 @@ void add_values(Catalogue& catalogue) {
                  "No NaN, infinite or negative radiance, albedo or depth in pictures of the scene {}.", shipped.name),
              .source = "ours, scenes/film/film.h",
              .kind = Kind::exact,
-             .check = check({std::make_shared<Direct>(), std::make_shared<Direct>(LightTechniques::emitters),
-                             std::make_shared<Direct>(LightTechniques::bsdf), std::make_shared<Aov>()}),
-             .mutants = unsound(check),
+             .trial = {check,
+                       {std::make_shared<Direct>(), std::make_shared<Direct>(LightTechniques::emitters),
+                        std::make_shared<Direct>(LightTechniques::bsdf), std::make_shared<Aov>()},
+                       unsound()},
              // Loading it takes seconds.
              .sizes = shipped.name == "million_triangles" ? Sizes::full_only : Sizes::both});
     }
@@ -130,16 +131,17 @@ void add_threads(Catalogue& catalogue) {
                 return *rendered;
             };
         };
-        const auto check = [=](const std::function<std::uint64_t(int)>& seed) {
-            return [=](const Run& run) { return same_bits(picture(seed), run); };
+        const auto check = [=](const std::function<std::uint64_t(int)>& seed, const Run& run) {
+            return same_bits(picture(seed), run);
         };
         catalogue.add({.id = "direct/threads/" + sampler,
                        .statement = fmt::format("1 and 2 threads give the same bits with {} samples.", sampler),
                        .source = "ours, integrators/drivers/render.h",
                        .kind = Kind::exact,
-                       .check = check([](int) { return 7; }),
-                       .mutants = {{"seed-by-threads", "The seed depends on the number of threads.",
-                                    check([](int threads) { return static_cast<std::uint64_t>(threads); })}}});
+                       .trial = {check,
+                                 [](int) { return 7; },
+                                 {{"seed-by-threads", "The seed depends on the number of threads.",
+                                   [](int threads) { return static_cast<std::uint64_t>(threads); }}}}});
     }
 }
 
@@ -202,34 +204,33 @@ description::Texture moved(description::Texture texture, double du, double dv) {
 void add_textures(Catalogue& catalogue) {
     const std::filesystem::path file = scene_file("interior").parent_path() / "painting.png";
     const description::Texture painting{description::Bitmap{file, false, description::Wrap::clamp}, {}, {}};
-    const auto bitmap = [=](double texels_aside, double film_shift) {
-        return [=](const Run& run) {
-            const Texels texels = read_texels(file);
-            return shows(
-                moved(painting, texels_aside / texels.width, 0), [&](double u, double v) { return hats(texels, u, v); },
-                film_shift, run);
-        };
+    struct Aside {
+        double texels, pixels;
+    };
+    const auto bitmap = [=](const Aside& aside, const Run& run) {
+        const Texels texels = read_texels(file);
+        return shows(
+            moved(painting, aside.texels / texels.width, 0), [&](double u, double v) { return hats(texels, u, v); },
+            aside.pixels, run);
     };
     catalogue.add({.id = "direct/texture/bitmap",
                    .statement = "The camera sees a bitmap where its texels lie, bilinear between their centres.",
                    .source = "docs/scenes.md",
                    .kind = Kind::bounded,
-                   .check = bitmap(0, 0),
-                   .mutants = {{"half-a-texel", "The texture lies half a texel aside.", bitmap(0.5, 0)},
-                               {"half-a-pixel", "The film lies half a pixel aside.", bitmap(0, 0.5)}}});
+                   .trial = {bitmap,
+                             {0, 0},
+                             {{"half-a-texel", "The texture lies half a texel aside.", {0.5, 0}},
+                              {"half-a-pixel", "The film lies half a pixel aside.", {0, 0.5}}}}});
     const description::Checkerboard board{Spectrum::rgb(0.4, 0.3, 0.1), Spectrum::grey(0.2)};
-    const auto checkerboard = [=](double aside) {
-        return [=](const Run& run) {
-            return shows(
-                moved({board, {}, {}}, aside, 0), [&](double u, double v) { return squares(board, u, v); }, 0, run);
-        };
+    const auto checkerboard = [=](double aside, const Run& run) {
+        return shows(
+            moved({board, {}, {}}, aside, 0), [&](double u, double v) { return squares(board, u, v); }, 0, run);
     };
     catalogue.add({.id = "direct/texture/checkerboard",
                    .statement = "The camera sees a checkerboard's squares where they lie.",
                    .source = "docs/scenes.md",
                    .kind = Kind::bounded,
-                   .check = checkerboard(0),
-                   .mutants = {{"aside", "It lies a hundredth aside.", checkerboard(0.01)}}});
+                   .trial = {checkerboard, 0, {{"aside", "It lies a hundredth aside.", 0.01}}}});
 }
 
 // ---- a constant picture
@@ -265,22 +266,24 @@ Verdict picture_is_one(description::FilterKind kind, const PathEstimator& estima
 void add_constant(Catalogue& catalogue) {
     using description::FilterKind;
     // By samples of its BSDF a white sphere under a white sky is white without variance.
-    const Direct direct(LightTechniques::bsdf);
+    const auto direct = std::make_shared<Direct>(LightTechniques::bsdf);
     for (const auto& [name, kind] : {std::pair{"box", FilterKind::box}, std::pair{"tent", FilterKind::tent},
                                      std::pair{"gaussian", FilterKind::gaussian}}) {
-        Claim claim{
+        std::vector<Wrong<Estimator>> wrong{
+            {"two-thousandths-bright", "Everything is 0.2 % too bright.", std::make_shared<Scaled>(direct, 1.002)}};
+        if (kind != FilterKind::box)
+            wrong.push_back({"weighted-again", "The filter's value, not normalised, is a weight once more.",
+                             std::make_shared<FilterWeighted>()});
+        catalogue.add({
             .id = fmt::format("direct/constant/{}", name),
             .statement = fmt::format("A white sphere under a white sky gives a picture of ones, film filter {}.", name),
             .source = "ours, scenes/film/filters.h",
             .kind = Kind::bounded,
-            .check = [=](const Run& run) { return picture_is_one(kind, direct, run); },
-            .mutants = {{"two-thousandths-bright", "Everything is 0.2 % too bright.", [=](const Run& run) {
-                             return picture_is_one(kind, Scaled(std::make_shared<Direct>(direct), 1.002), run);
-                         }}}};
-        if (kind != FilterKind::box)
-            claim.mutants.push_back({"weighted-again", "The filter's value, not normalised, is a weight once more.",
-                                     [=](const Run& run) { return picture_is_one(kind, FilterWeighted(), run); }});
-        catalogue.add(std::move(claim));
+            .trial = {[kind](const Estimator& estimator, const Run& run) {
+                          return picture_is_one(kind, *estimator, run);
+                      },
+                      direct, std::move(wrong)},
+        });
     }
 }
 

@@ -154,9 +154,11 @@ void add_direct_rate_claims(Catalogue& catalogue) {
                        .statement = c.statement,
                        .source = c.source,
                        .kind = Kind::rate,
-                       .check = [=](const Run& run) { return converges(c.subject, c.n, c.exponents, run); },
-                       .mutants = {{c.mutant, c.defect,
-                                    [=](const Run& run) { return converges(c.worse, c.n, c.exponents, run); }}}});
+                       .trial = {[=](const Subject& subject, const Run& run) {
+                                     return converges(subject, c.n, c.exponents, run);
+                                 },
+                                 c.subject,
+                                 {{c.mutant, c.defect, c.worse}}}});
 }
 
 }  // namespace plumb::suites

@@ -133,9 +133,9 @@ Verdict agree(const View& view, const PathEstimator& mis, const Run& run) {
 
 // ---- mutants
 
-std::optional<SceneLightSample> without_pmf(const Scene& scene, const PathVertex& vertex, PrimarySamples& samples,
+std::optional<SceneLightSample> without_pmf(const Scene& scene, const PathVertex& vertex, Draws& draws,
                                             std::uint16_t number) {
-    auto light = default_next_event().choose(scene, vertex, samples, number);
+    auto light = default_next_event().choose(scene, vertex, draws, number);
     if (light) light->pdf = light->sample.pdf;
     return light;
 }
@@ -148,37 +148,35 @@ double environment_alone(const Scene& scene, Vec3 from, Vec3 direction) {
 }
 
 /// light_from_bsdf with another density for the environment.
-Spectrum from_bsdf_without_pmf(const Scene& scene, const PathVertex& vertex, PrimarySamples& samples,
+Spectrum from_bsdf_without_pmf(const Scene& scene, const PathVertex& vertex, const Draws& of_vertex,
                                PathRecord& record) {
-    const auto u = samples.at({1, Use::direction}).u;
-    const auto sample = vertex.bsdf.sample(vertex.to_local(vertex.wo), {samples.at({1, Use::lobe}).u[0], u[0], u[1]},
-                                           Transport::radiance);
+    Draws draws = of_vertex.branch();
+    const auto u = draws.at({1, Use::direction});
+    const auto sample =
+        vertex.bsdf.sample(vertex.to_local(vertex.wo), {draws.at({1, Use::lobe})[0], u[0], u[1]}, Transport::radiance);
     if (!sample) return {};
     const Vec3 wi = vertex.frame.to_world(sample->wi), from = vertex.hit.point.position;
     if (!vertex.agree(wi)) return {};
     const Ray ray = leave(vertex.hit.point, wi);
-    const auto hit = scene.intersect(ray, samples.at({2, Use::shadow}).u[0], record.rays);
+    const auto hit = scene.intersect(ray, draws.at({2, Use::shadow})[0], record.rays);
     const Spectrum radiance = hit ? scene.emitted(*hit, -wi) : scene.environment(ray);
     const double density = hit ? scene.light_pdf(*hit, from, wi) : environment_alone(scene, from, wi);
     return sample->weight * radiance * mis_weight(sample->pdf, density);
 }
 
-std::vector<Mutant> mutants_of(const View& view) {
-    const auto check = [=](Estimator estimator) {
-        return [=](const Run& run) { return agree(view, *estimator, run); };
-    };
+std::vector<Wrong<Estimator>> wrong_for(const View& view) {
     NextEvent no_pmf = default_next_event(), counted_twice = no_pmf;
     no_pmf.choose = without_pmf;
     counted_twice.weight = [](double, double) { return 1.0; };
-    std::vector<Mutant> mutants{{"slightly-bright", fmt::format("{:.3g} % too bright.", 250 * view.delta),
-                                 check(std::make_shared<Scaled>(std::make_shared<Direct>(), 1 + 2.5 * view.delta))}};
+    std::vector<Wrong<Estimator>> wrong{{"slightly-bright", fmt::format("{:.3g} % too bright.", 250 * view.delta),
+                                         std::make_shared<Scaled>(std::make_shared<Direct>(), 1 + 2.5 * view.delta)}};
     if (view.id.starts_with("sky"))  // elsewhere lights are small and bright: this one's tails would be heavy
-        mutants.push_back({"counted-twice", "Both techniques count in full.",
-                           check(std::make_shared<Direct>(LightTechniques::both, counted_twice))});
+        wrong.push_back({"counted-twice", "Both techniques count in full.",
+                         std::make_shared<Direct>(LightTechniques::both, counted_twice)});
     if (view.id == "studio-emitters")
-        mutants.push_back({"pmf-dropped", "The probability of the light is missing in the density of its samples.",
-                           check(std::make_shared<Direct>(LightTechniques::both, no_pmf))});
-    return mutants;
+        wrong.push_back({"pmf-dropped", "The probability of the light is missing in the density of its samples.",
+                         std::make_shared<Direct>(LightTechniques::both, no_pmf)});
+    return wrong;
 }
 
 // ---- an environment among other lights
@@ -201,29 +199,27 @@ Verdict is_white(const PathEstimator& estimator, const Run& run) {
 }
 
 void add_environment(Catalogue& catalogue) {
-    const auto check = [](const Estimator& estimator) {
-        return [=](const Run& run) { return is_white(*estimator, run); };
-    };
+    const auto check = [](const Estimator& estimator, const Run& run) { return is_white(*estimator, run); };
     NextEvent no_pmf = default_next_event();
     no_pmf.choose = without_pmf;
-    const auto one_side = [](const Scene& scene, const PathVertex& vertex, PrimarySamples& samples,
-                             PathRecord& record) {
-        return light_from_emitters(scene, vertex, 1, LightTechniques::both, default_next_event(), samples, record) +
-               from_bsdf_without_pmf(scene, vertex, samples, record);
+    const auto one_side = [](const Scene& scene, const PathVertex& vertex, const Draws& draws, PathRecord& record) {
+        return light_from_emitters(scene, vertex, 1, LightTechniques::both, default_next_event(), draws, record) +
+               from_bsdf_without_pmf(scene, vertex, draws, record);
     };
     catalogue.add(
         {.id = "direct/environment/mis",
          .statement = "A white point under a white sky, one of two lights, is white by both techniques, weighted.",
          .source = "[Veach & Guibas 1995]",
          .kind = Kind::mean,
-         .check = check(std::make_shared<Direct>()),
-         .mutants = {{"pmf-dropped", "The probability of the light is missing in the density of its samples.",
-                      check(std::make_shared<Direct>(LightTechniques::both, no_pmf))},
-                     {"environment-pmf-dropped",
-                      "In the BSDF's weight the environment's probability among the lights is missing.",
-                      check(std::make_shared<DirectBy>(one_side))},
-                     {"slightly-bright", "2.5 % too bright.",
-                      check(std::make_shared<Scaled>(std::make_shared<Direct>(), 1.025))}}});
+         .trial = {
+             check,
+             std::make_shared<Direct>(),
+             {{"pmf-dropped", "The probability of the light is missing in the density of its samples.",
+               std::make_shared<Direct>(LightTechniques::both, no_pmf)},
+              {"environment-pmf-dropped",
+               "In the BSDF's weight the environment's probability among the lights is missing.",
+               std::make_shared<DirectBy>(one_side)},
+              {"slightly-bright", "2.5 % too bright.", std::make_shared<Scaled>(std::make_shared<Direct>(), 1.025)}}}});
 }
 
 }  // namespace
@@ -236,8 +232,8 @@ void add_direct_technique_claims(Catalogue& catalogue) {
                                       view.against == LightTechniques::bsdf ? "the BSDF" : "emitters"),
              .source = "[Veach & Guibas 1995]",
              .kind = Kind::mean,
-             .check = [=](const Run& run) { return agree(view, Direct(), run); },
-             .mutants = mutants_of(view)});
+             .trial = {[=](const Estimator& estimator, const Run& run) { return agree(view, *estimator, run); },
+                       std::make_shared<Direct>(), wrong_for(view)}});
     add_environment(catalogue);
 }
 

@@ -77,21 +77,18 @@ SurfacePoint end_behind(const SurfacePoint& point) {
 
 void add_ends(Catalogue& catalogue) {
     for (const std::string kind : {"rectangle", "mesh", "sphere", "disk"}) {
-        const auto check = [=](const End& end) {
-            return [=](const Run& run) { return light_is_seen(kind, end, run); };
-        };
-        std::vector<Mutant> mutants{{"end-behind", "Shadow rays end behind the light's surface.", check(end_behind)}};
+        const auto check = [=](const End& end, const Run& run) { return light_is_seen(kind, end, run); };
+        std::vector<Wrong<End>> wrong{{"end-behind", "Shadow rays end behind the light's surface.", end_behind}};
         if (kind == "rectangle" || kind == "mesh")
-            mutants.push_back({"end-in-double", "Shadow rays end as if the light were met in double precision.",
-                               check(end_in_double)});
+            wrong.push_back(
+                {"end-in-double", "Shadow rays end as if the light were met in double precision.", end_in_double});
         catalogue.add({.id = "direct/visibility/" + kind,
                        .statement = "No sample of a " + kind +
                                     " light in full sight is hidden, by the light itself or by the floor, up to 2^12 "
                                     "sizes from the world's origin.",
                        .source = "ours, scenes/geometry/surface_point.h",
                        .kind = Kind::exact,
-                       .check = check([](const SurfacePoint& point) { return point; }),
-                       .mutants = std::move(mutants)});
+                       .trial = {check, [](const SurfacePoint& point) { return point; }, std::move(wrong)}});
     }
 }
 
@@ -119,9 +116,13 @@ Scene under_masks(bool point_light, double first, double second) {
 }
 
 /// ρ/π I/d² of a point light of 4 W/sr at distance 2: 1/π.
-Verdict share_of_point(double first, double second, const NextEvent& next_event, const Run& run) {
-    const Scene scene = under_masks(true, first, second);
-    const Direct estimator(LightTechniques::both, next_event);
+struct FirstMask {
+    double opacity;
+    NextEvent next_event;
+};
+Verdict share_of_point(const FirstMask& first, const Run& run) {
+    const Scene scene = under_masks(true, first.opacity, second_opacity);
+    const Direct estimator(LightTechniques::both, first.next_event);
     const Measurement measurement{.scene = scene, .estimator = estimator, .film = Point<2>{0.5, 0.5}, .n = 1};
     const double reference = (1 - opacity) * (1 - second_opacity) / pi;
     return mean_is([&](RandomStream& random) { return measurement.draw(random)[0]; },
@@ -129,8 +130,8 @@ Verdict share_of_point(double first, double second, const NextEvent& next_event,
 }
 
 /// Where camera rays pass two masks to a light of radiance 1, the mean of what they see is (1 − o)(1 − o').
-Verdict share_of_camera_rays(double first, double second, const Run& run) {
-    description::Scene scene = under_masks(false, first, second).description();
+Verdict share_of_camera_rays(double first, const Run& run) {
+    description::Scene scene = under_masks(false, first, second_opacity).description();
     scene.sensor = camera({0.1, 0, 0.1}, {0.1, 0, 1});
     const Scene seen(std::move(scene));
     const Direct estimator;
@@ -148,31 +149,24 @@ void add_masks(Catalogue& catalogue) {
                           PathRecord& record) {
         return scene.transmittance(vertex.hit.point, light, record.rays) < 1 ? 0.0 : 1.0;
     };
-    const auto point = [](double first, double second, const NextEvent& next_event) {
-        return [=](const Run& run) { return share_of_point(first, second, next_event, run); };
-    };
     const NextEvent right = default_next_event();
-    catalogue.add(
-        {.id = "direct/mask/shadow-ray",
-         .statement = "Of the light of a point, masks of opacities o and o' let (1 − o)(1 − o') through.",
-         .source = "docs/scenes.md",
-         .kind = Kind::mean,
-         .check = point(opacity, second_opacity, right),
-         .mutants = {{"no-shadow-ray", "Nothing hides the light.", point(opacity, second_opacity, no_masks)},
-                     {"solid", "A mask hides as a surface does.", point(opacity, second_opacity, solid)},
-                     {"inverted", "What is let through is o, not 1 − o.", point(1 - opacity, second_opacity, right)}}});
-    const auto camera_rays = [](double first, double second) {
-        return [=](const Run& run) { return share_of_camera_rays(first, second, run); };
-    };
-    catalogue.add(
-        {.id = "direct/mask/camera-ray",
-         .statement = "Through masks of opacities o and o', (1 − o)(1 − o') of a light is seen.",
-         .source = "docs/scenes.md",
-         .kind = Kind::mean,
-         .check = camera_rays(opacity, second_opacity),
-         .mutants = {{"inverted", "What is let through is o, not 1 − o.", camera_rays(1 - opacity, second_opacity)},
-                     {"slightly-thin", "The first mask's opacity is 0.29 instead of 0.3.",
-                      camera_rays(0.29, second_opacity)}}});
+    catalogue.add({.id = "direct/mask/shadow-ray",
+                   .statement = "Of the light of a point, masks of opacities o and o' let (1 − o)(1 − o') through.",
+                   .source = "docs/scenes.md",
+                   .kind = Kind::mean,
+                   .trial = {share_of_point,
+                             {opacity, right},
+                             {{"no-shadow-ray", "Nothing hides the light.", {opacity, no_masks}},
+                              {"solid", "A mask hides as a surface does.", {opacity, solid}},
+                              {"inverted", "What is let through is o, not 1 − o.", {1 - opacity, right}}}}});
+    catalogue.add({.id = "direct/mask/camera-ray",
+                   .statement = "Through masks of opacities o and o', (1 − o)(1 − o') of a light is seen.",
+                   .source = "docs/scenes.md",
+                   .kind = Kind::mean,
+                   .trial = {share_of_camera_rays,
+                             opacity,
+                             {{"inverted", "What is let through is o, not 1 − o.", 1 - opacity},
+                              {"slightly-thin", "The first mask's opacity is 0.29 instead of 0.3.", 0.29}}}});
 }
 
 }  // namespace

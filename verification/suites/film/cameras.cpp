@@ -131,35 +131,27 @@ void add_one(Catalogue& catalogue, const Camera& camera) {
                    .statement = "The density of rays of " + camera.title + " is 1/|∂ω/∂film|.",
                    .source = "ours, scenes/sensors/film_plane.h",
                    .kind = Kind::bounded,
-                   .check = [camera](const Run&) { return density_is_jacobian(camera); },
-                   .mutants = {{"cosine-squared", "1/cos² instead of 1/cos³.",
-                                [cosine](const Run&) { return density_is_jacobian(cosine); }}}});
+                   .trial = {density_is_jacobian, camera, {{"cosine-squared", "1/cos² instead of 1/cos³.", cosine}}}});
     catalogue.add({.id = id + "/connect",
                    .statement = "Connecting " + camera.title +
                                 " to a point of a ray gives back its film point, and importance pdf/(A cos θ).",
                    .source = "ours, scenes/sensors/sensor.h",
                    .kind = Kind::bounded,
-                   .check = [camera](const Run&) { return connecting_undoes_sampling(camera); },
-                   .mutants = {{"half-pixel", "Rays start half a pixel aside.",
-                                [camera](const Run&) { return connecting_undoes_sampling(shifted(camera, 0.5)); }},
-                               {"cosine-squared", "1/cos² instead of 1/cos³.",
-                                [cosine](const Run&) { return connecting_undoes_sampling(cosine); }}}});
-    catalogue.add(
-        {.id = id + "/light-tracing",
-         .statement = "A pixel of " + camera.title + " that sees radiance 1 is 1 by light tracing too.",
-         .source = "ours, scenes/sensors/sensor.h",
-         .kind = Kind::mean,
-         .check = [camera](const Run& run) { return light_tracing_is_one(camera, run); },
-         .mutants = {
-             {"without-distance", "d² is missing.",
-              [camera](const Run& run) {
-                  return light_tracing_is_one(
-                      with_sample(camera, [](SensorSample& s) { s.importance *= s.distance * s.distance; }), run);
-              }},
-             {"cosine", "A cosine too many at the camera.", [camera](const Run& run) {
-                  return light_tracing_is_one(
-                      with_sample(camera, [](SensorSample& s) { s.importance *= cos_with_axis(s.direction); }), run);
-              }}}});
+                   .trial = {connecting_undoes_sampling,
+                             camera,
+                             {{"half-pixel", "Rays start half a pixel aside.", shifted(camera, 0.5)},
+                              {"cosine-squared", "1/cos² instead of 1/cos³.", cosine}}}});
+    catalogue.add({.id = id + "/light-tracing",
+                   .statement = "A pixel of " + camera.title + " that sees radiance 1 is 1 by light tracing too.",
+                   .source = "ours, scenes/sensors/sensor.h",
+                   .kind = Kind::mean,
+                   .trial = {light_tracing_is_one,
+                             camera,
+                             {{"without-distance", "d² is missing.",
+                               with_sample(camera, [](SensorSample& s) { s.importance *= s.distance * s.distance; })},
+                              {"cosine", "A cosine too many at the camera.", with_sample(camera, [](SensorSample& s) {
+                                   s.importance *= cos_with_axis(s.direction);
+                               })}}}});
 }
 
 // ---- the circle of confusion
@@ -204,22 +196,21 @@ LensMap radius_power(double exponent) {
 }
 
 void add_blur(Catalogue& catalogue) {
-    catalogue.add({.id = "camera/thin-lens/circle-of-confusion",
-                   .statement = "Through the rim of a thin lens a point is seen on the circle of confusion.",
-                   .source = "analytic/irradiance.h",
-                   .kind = Kind::bounded,
-                   .check = [](const Run&) { return rim_maps_to_circle(focus); },
-                   .mutants = {{"out-of-focus", "The lens is in focus 1 % further away.",
-                                [](const Run&) { return rim_maps_to_circle(1.01 * focus); }}}});
+    catalogue.add(
+        {.id = "camera/thin-lens/circle-of-confusion",
+         .statement = "Through the rim of a thin lens a point is seen on the circle of confusion.",
+         .source = "analytic/irradiance.h",
+         .kind = Kind::bounded,
+         .trial = {
+             rim_maps_to_circle, focus, {{"out-of-focus", "The lens is in focus 1 % further away.", 1.01 * focus}}}});
     catalogue.add({.id = "camera/thin-lens/blur",
                    .statement = "A thin lens spreads a point evenly over its circle of confusion.",
                    .source = "ours, scenes/sensors/thin_lens.cpp",
                    .kind = Kind::distribution,
-                   .check = [](const Run& run) { return circle_is_filled([](const Point<2>& u) { return u; }, run); },
-                   .mutants = {{"wrong-jacobian", "r = u instead of √u on the lens.",
-                                [](const Run& run) { return circle_is_filled(radius_power(1), run); }},
-                               {"slightly-wrong", "r = u^0.575: phi = 0.15.",
-                                [](const Run& run) { return circle_is_filled(radius_power(0.575), run); }}}});
+                   .trial = {circle_is_filled,
+                             [](const Point<2>& u) { return u; },
+                             {{"wrong-jacobian", "r = u instead of √u on the lens.", radius_power(1)},
+                              {"slightly-wrong", "r = u^0.575: phi = 0.15.", radius_power(0.575)}}}});
 }
 
 }  // namespace

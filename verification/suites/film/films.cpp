@@ -158,9 +158,9 @@ double weighted(const Filter& filter, RandomStream& random) {
     return sum / weights;
 }
 
-Verdict pixel_is(const FilterCase& filter, const Draw& draw, double scale, const Run& run) {
+Verdict pixel_is(const FilterCase& filter, const Draw& draw, const Run& run) {
     const double r = radius_of(filter.filter);
-    return mean_is([&](RandomStream& random) { return scale * draw(random); },
+    return mean_is(draw,
                    {.reference = filter.second_moment,
                     .delta = 0.01 * filter.second_moment,
                     .epsilon = 1e-14,
@@ -168,74 +168,70 @@ Verdict pixel_is(const FilterCase& filter, const Draw& draw, double scale, const
                    run);
 }
 
+struct Warp {
+    std::function<double(double)> pdf, sample;
+};
+
 void add_filter(Catalogue& catalogue, const FilterCase& filter) {
     const std::string id = "film/filter-" + filter.name;
     const auto pdf = [f = filter.filter](double x) { return pdf_of(f, x); };
     const auto sample = [f = filter.filter](double u) { return sample_of(f, u); };
-    const auto pixel = [f = filter.filter](RandomStream& random) { return filtered(f, random); };
+    const double off_scale = pdf(0) == 1 ? 1.1 : 1 / pdf(0);
     catalogue.add(
         {.id = id + "/density",
          .statement = "The " + filter.name + " filter is the density of its samples and integrates to 1.",
          .source = "ours, scenes/film/filters.h",
          .kind = Kind::bounded,
-         .check = [=](const Run&) { return filter_is_density(filter.filter, pdf, sample); },
-         .mutants = {{"not-normalised", "1 at the centre instead of integral 1, and a tenth more for the box.",
-                      [=](const Run&) {
-                          const double scale = pdf(0) == 1 ? 1.1 : 1 / pdf(0);
-                          return filter_is_density(
-                              filter.filter, [=](double x) { return scale * pdf(x); }, sample);
-                      }},
-                     {"half-pixel", "Samples lie half a pixel aside.", [=](const Run&) {
-                          return filter_is_density(filter.filter, pdf, [=](double u) { return sample(u) + 0.5; });
-                      }}}});
-    std::vector<Mutant> mutants{{"heavier", "Weights that are 2.5 % too large.",
-                                 [=](const Run& run) { return pixel_is(filter, pixel, 1.025, run); }},
-                                {"half-pixel", "Samples are centred on the pixel's corner.", [=](const Run& run) {
-                                     return pixel_is(
-                                         filter,
-                                         [=](RandomStream& random) {
-                                             const double x = sample(random.uniform()) - 0.5;
-                                             return std::min(x * x,
-                                                             radius_of(filter.filter) * radius_of(filter.filter));
-                                         },
-                                         1, run);
-                                 }}};
+         .trial = {
+             [f = filter.filter](const Warp& warp) { return filter_is_density(f, warp.pdf, warp.sample); },
+             {pdf, sample},
+             {{"not-normalised",
+               "1 at the centre instead of integral 1, and a tenth more for the box.",
+               {[=](double x) { return off_scale * pdf(x); }, sample}},
+              {"half-pixel", "Samples lie half a pixel aside.", {pdf, [=](double u) { return sample(u) + 0.5; }}}}}});
+}
+
+void add_pixel(Catalogue& catalogue, const FilterCase& filter) {
+    const Filter f = filter.filter;
+    const Draw pixel = [f](RandomStream& random) { return filtered(f, random); };
+    const Draw heavier = [pixel](RandomStream& random) { return 1.025 * pixel(random); };
+    const Draw half_pixel = [f, r = radius_of(f)](RandomStream& random) {
+        const double x = sample_of(f, random.uniform()) - 0.5;
+        return std::min(x * x, r * r);
+    };
+    std::vector<Wrong<Draw>> wrong{{"heavier", "Weights that are 2.5 % too large.", heavier},
+                                   {"half-pixel", "Samples are centred on the pixel's corner.", half_pixel}};
     if (filter.name != "box")  // whose weights are all alike
-        mutants.push_back({"divided-by-weights", "Uniform samples over the sum of their weights.", [=](const Run& run) {
-                               return pixel_is(
-                                   filter, [=](RandomStream& random) { return weighted(filter.filter, random); }, 1,
-                                   run);
-                           }});
-    catalogue.add({.id = id + "/pixel",
+        wrong.push_back({"divided-by-weights", "Uniform samples over the sum of their weights.",
+                         [f](RandomStream& random) { return weighted(f, random); }});
+    catalogue.add({.id = "film/filter-" + filter.name + "/pixel",
                    .statement = "The mean of samples of the " + filter.name + " filter is the filtered picture.",
                    .source = "[Ernst, Stamminger & Greiner 2006]",
                    .kind = Kind::mean,
-                   .check = [=](const Run& run) { return pixel_is(filter, pixel, 1, run); },
-                   .mutants = std::move(mutants)});
+                   .trial = {[filter](const Draw& draw, const Run& run) { return pixel_is(filter, draw, run); }, pixel,
+                             std::move(wrong)}});
 }
-
 }  // namespace
 
 void add_film_claims(Catalogue& catalogue) {
-    catalogue.add(
-        {.id = "film/sums/order",
-         .statement = "A pixel has the same bits whatever the order of its samples and their partition.",
-         .source = "ours, scenes/film/exact_sum.h",
-         .kind = Kind::exact,
-         .check = [](const Run& run) { return order_is_nothing(film_sum, run); },
-         .mutants = {{"double", "Sums in double.", [](const Run& run) { return order_is_nothing(double_sum, run); }}}});
+    catalogue.add({.id = "film/sums/order",
+                   .statement = "A pixel has the same bits whatever the order of its samples and their partition.",
+                   .source = "ours, scenes/film/exact_sum.h",
+                   .kind = Kind::exact,
+                   .trial = {order_is_nothing, film_sum, {{"double", "Sums in double.", double_sum}}}});
     catalogue.add({.id = "film/variance/replicates",
                    .statement = "The film's variance of the mean is unbiased for stratified samples.",
                    .source = "ours, scenes/film/film.h",
                    .kind = Kind::mean,
-                   .check = [](const Run& run) { return variance_is_true(film_variance, run); },
-                   .mutants = {{"from-samples", "Taken from squares of single samples.",
-                                [](const Run& run) { return variance_is_true(variance_of_samples, run); }},
-                               {"five-percent", "5 % too small.", [](const Run& run) {
-                                    return variance_is_true(
-                                        [](RandomStream& random) { return 0.95 * film_variance(random); }, run);
-                                }}}});
-    for (const FilterCase& filter : filters()) add_filter(catalogue, filter);
+                   .trial = {variance_is_true,
+                             film_variance,
+                             {{"from-samples", "Taken from squares of single samples.", variance_of_samples},
+                              {"five-percent", "5 % too small.",
+                               [](RandomStream& random) { return 0.95 * film_variance(random); }}}}});
+    for (const FilterCase& filter : filters()) {
+        add_filter(catalogue, filter);
+        add_pixel(catalogue, filter);
+    }
 }
 
 }  // namespace plumb::suites

@@ -113,27 +113,22 @@ Verdict layer_is_spread(const Picture& picture, const Run& run) {
 
 template <class E>
 void add_variance(Catalogue& catalogue, const std::string& integrator, const std::string& sampler) {
-    const auto check = [](const Picture& picture) {
-        return [=](const Run& run) { return layer_is_spread(picture, run); };
-    };
     const auto pixels = [=](std::uint64_t seed) { return render_pixels(E(two_edges), few_samples(sampler, seed)); };
-    Mutant mutant{"shared", "One point of the light serves all replicates of a picture.",
-                  check([=](std::uint64_t seed) {
-                      const E estimator(two_edges);
-                      return render_pixels(OnePointOfLight(estimator, seed), few_samples(sampler, seed));
-                  })};
+    Wrong<Picture> wrong{"shared", "One point of the light serves all replicates of a picture.",
+                         [=](std::uint64_t seed) {
+                             const E estimator(two_edges);
+                             return render_pixels(OnePointOfLight(estimator, seed), few_samples(sampler, seed));
+                         }};
     if (integrator == "path" && sampler != "independent")
-        mutant = {
-            "from-samples", "Squares of single samples, as if they were independent.",
-            check([=](std::uint64_t seed) { return pixels_from_samples(E(two_edges), few_samples(sampler, seed)); })};
+        wrong = {"from-samples", "Squares of single samples, as if they were independent.",
+                 [=](std::uint64_t seed) { return pixels_from_samples(E(two_edges), few_samples(sampler, seed)); }};
     catalogue.add({.id = "film/variance/" + integrator + "-" + sampler,
                    .statement = fmt::format("The variance layer of `{}` with {} samples agrees with the spread of "
                                             "pictures.",
                                             integrator, sampler),
                    .source = "ours, scenes/film/film.h",
                    .kind = Kind::mean,
-                   .check = check(pixels),
-                   .mutants = {mutant}});
+                   .trial = {layer_is_spread, pixels, {wrong}}});
 }
 
 // ---- threads
@@ -187,14 +182,14 @@ Verdict same_bits(const Numbers& numbers, const Run& run) {
 
 template <class E>
 void add_threads(Catalogue& catalogue, const std::string& integrator) {
-    const auto check = [](const Numbers& numbers) { return [=](const Run& run) { return same_bits(numbers, run); }; };
-    catalogue.add({.id = "film/threads/" + integrator,
-                   .statement = "1 and 2 threads give the same bits of a picture onto which `" + integrator +
-                                "` splats from everywhere.",
-                   .source = "ours, integrators/drivers/render.cpp",
-                   .kind = Kind::exact,
-                   .check = check(rendered_by<E>),
-                   .mutants = {{"double", "Splats are added up in double.", check(sums_of_doubles<E>)}}});
+    const auto check = [](const Numbers& numbers, const Run& run) { return same_bits(numbers, run); };
+    catalogue.add(
+        {.id = "film/threads/" + integrator,
+         .statement =
+             "1 and 2 threads give the same bits of a picture onto which `" + integrator + "` splats from everywhere.",
+         .source = "ours, integrators/drivers/render.cpp",
+         .kind = Kind::exact,
+         .trial = {check, rendered_by<E>, {{"double", "Splats are added up in double.", sums_of_doubles<E>}}}});
 }
 
 // ---- 10^9 samples
@@ -238,13 +233,11 @@ void add_film_picture_claims(Catalogue& catalogue) {
     }
     add_threads<LightTracer>(catalogue, "light");
     add_threads<Bdpt>(catalogue, "bdpt");
-    catalogue.add(
-        {.id = "film/sums/halves",
-         .statement = "10^9 samples of 0.5 average to 0.5.",
-         .source = "ours, scenes/film/exact_sum.h",
-         .kind = Kind::bounded,
-         .check = [](const Run& run) { return is_half(film_of_halves, run); },
-         .mutants = {{"float", "Sums in float.", [](const Run& run) { return is_half(floats_of_halves, run); }}}});
+    catalogue.add({.id = "film/sums/halves",
+                   .statement = "10^9 samples of 0.5 average to 0.5.",
+                   .source = "ours, scenes/film/exact_sum.h",
+                   .kind = Kind::bounded,
+                   .trial = {is_half, film_of_halves, {{"float", "Sums in float.", floats_of_halves}}}});
 }
 
 }  // namespace plumb::suites

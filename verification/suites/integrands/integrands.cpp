@@ -23,11 +23,9 @@ Verdict agrees_with(Quadrature method, std::span<const Integrand<D>> stated) {
     return within_bound(cases, D == 1 ? 1e-50 : 1e-15, "of the root mean square (or mean square)");
 }
 
-/// A mutant: one integrand with an answer misstated.
+/// Integrands with their stated answers; a wrong one is a single integrand with an answer misstated.
 template <int D>
-Mutant misstated(Quadrature method, std::string id, std::string defect, Integrand<D> wrong) {
-    return {std::move(id), std::move(defect), [=](const Run&) { return agrees_with<D>(method, std::span(&wrong, 1)); }};
-}
+using Stated = std::vector<Integrand<D>>;
 
 template <int D>
 Integrand<D> with_integral(std::string_view id, double integral) {
@@ -45,40 +43,44 @@ Integrand<D> with_digit_changed(std::string_view id, std::size_t place) {
     return wrong;
 }
 
-std::vector<Mutant> misstated_1d(Quadrature method) {
+std::vector<Wrong<Stated<1>>> misstated_1d() {
     using std::numbers::pi;
     const double a = 6.515625, u = 0.703125;  // of genz/product-peak-1
-    return {misstated<1>(method, "digit-50", "the integral of e^x with its 50th decimal 3 off",
-                         with_digit_changed<1>("exp", 50)),
-            misstated<1>(method, "humps-alike", "the thesis function with its last hump as high as the one before",
-                         with_integral<1>("thesis-1d", 17 / 8. + 12 / (10 * pi))),
-            misstated<1>(method, "product-peak-parenthesis", "the factor a multiplies only the first arctangent",
-                         with_integral<1>("genz/product-peak-1", a * std::atan(a * (1 - u)) + std::atan(a * u)))};
+    return {{"digit-50", "the integral of e^x with its 50th decimal 3 off", {with_digit_changed<1>("exp", 50)}},
+            {"humps-alike",
+             "the thesis function with its last hump as high as the one before",
+             {with_integral<1>("thesis-1d", 17 / 8. + 12 / (10 * pi))}},
+            {"product-peak-parenthesis",
+             "the factor a multiplies only the first arctangent",
+             {with_integral<1>("genz/product-peak-1", a * std::atan(a * (1 - u)) + std::atan(a * u))}}};
 }
 
-std::vector<Mutant> misstated_2d(Quadrature method) {
+std::vector<Wrong<Stated<2>>> misstated_2d() {
     using std::numbers::pi;
     const double a = 3.65625, u = 0.703125, b = 3.59375, v = 0.546875;  // of genz/product-peak-2d-1
-    return {
-        misstated<2>(method, "digit-15", "the integral of Keister's function with its 15th decimal 3 off",
-                     with_digit_changed<2>("keister-2d", 15)),
-        misstated<2>(method, "whole-disk", "a disk that leaves the square with the area of the whole disk",
-                     with_integral<2>("disk-cut", pi * 4 / 25)),
-        misstated<2>(method, "product-peak-parenthesis", "the factors a multiply only the first arctangents",
-                     with_integral<2>("genz/product-peak-2d-1", (a * std::atan(a * (1 - u)) + std::atan(a * u)) *
-                                                                    (b * std::atan(b * (1 - v)) + std::atan(b * v))))};
+    return {{"digit-15",
+             "the integral of Keister's function with its 15th decimal 3 off",
+             {with_digit_changed<2>("keister-2d", 15)}},
+            {"whole-disk",
+             "a disk that leaves the square with the area of the whole disk",
+             {with_integral<2>("disk-cut", pi * 4 / 25)}},
+            {"product-peak-parenthesis",
+             "the factors a multiply only the first arctangents",
+             {with_integral<2>("genz/product-peak-2d-1", (a * std::atan(a * (1 - u)) + std::atan(a * u)) *
+                                                             (b * std::atan(b * (1 - v)) + std::atan(b * v)))}}};
 }
 
 template <int D>
-void add_quadrature_claim(Catalogue& catalogue, Quadrature method, std::string name, std::vector<Mutant> mutants) {
+void add_quadrature_claim(Catalogue& catalogue, Quadrature method, std::string name,
+                          std::vector<Wrong<Stated<D>>> misstated) {
     catalogue.add({
         .id = fmt::format("integrand/{}d/{}", D, name),
         .statement = fmt::format("Integral and variance of every {}D integrand are those of {} quadrature, within {}.",
                                  D, to_string(method), D == 1 ? "1e-50" : "1e-15"),
         .source = "ours, analytic/quadrature.h; each integrand names its own source",
         .kind = Kind::bounded,
-        .check = [method](const Run&) { return agrees_with<D>(method, integrands<D>()); },
-        .mutants = std::move(mutants),
+        .trial = {[method](const Stated<D>& stated) { return agrees_with<D>(method, stated); }, integrands<D>(),
+                  std::move(misstated)},
     });
 }
 
@@ -148,11 +150,16 @@ BoundedCase worst_rounding(const Integrand<D>& f, const std::vector<double>& coo
     return worst;
 }
 
-Verdict rounds_well(const std::vector<Integrand<1>>& in_1d, const std::vector<Integrand<2>>& in_2d, const Run& run) {
+struct Evaluated {
+    std::vector<Integrand<1>> in_1d;
+    std::vector<Integrand<2>> in_2d;
+};
+
+Verdict rounds_well(const Evaluated& integrands, const Run& run) {
     const std::vector<double> coordinates = hard_coordinates(run);
     std::vector<BoundedCase> cases;
-    for (const auto& f : in_1d) cases.push_back(worst_rounding(f, coordinates));
-    for (const auto& f : in_2d) cases.push_back(worst_rounding(f, coordinates));
+    for (const auto& f : integrands.in_1d) cases.push_back(worst_rounding(f, coordinates));
+    for (const auto& f : integrands.in_2d) cases.push_back(worst_rounding(f, coordinates));
     return within_bound(cases, 1e-12, "of the largest value");
 }
 
@@ -199,11 +206,11 @@ void add_mean_claim(Catalogue& catalogue, std::string_view id, double relative_d
             fmt::format("The mean of {} at uniform points is its stated integral, {:.6g}.", id, f.integral_value()),
         .source = f.source,
         .kind = Kind::mean,
-        .check = [&f, relative_delta](const Run& run) { return plain_mean<D>(f, f.value, relative_delta, run); },
-        .mutants = {{std::move(mutant), std::move(defect),
-                     [&f, relative_delta, wrong](const Run& run) {
-                         return plain_mean<D>(f, wrong, relative_delta, run);
-                     }}},
+        .trial = {[&f, relative_delta](const Values<D>& values, const Run& run) {
+                      return plain_mean<D>(f, values, relative_delta, run);
+                  },
+                  f.value,
+                  {{std::move(mutant), std::move(defect), wrong}}},
     });
 }
 
@@ -247,9 +254,10 @@ void add_undecided_claim(Catalogue& catalogue, std::string_view id) {
         .statement = fmt::format("{} has a mean but no variance: plain Monte Carlo cannot decide it.", f.formula),
         .source = "ours, analytic/formulas/singular.h",
         .kind = Kind::mean,
-        .check = [&f](const Run& run) { return ends_undecided(f, run); },
-        .mutants = {{"finite-variance", "an integrand with a variance, which plain Monte Carlo does decide",
-                     [](const Run& run) { return ends_undecided(find_integrand<1>("linear"), run); }}},
+        .trial = {ends_undecided,
+                  f,
+                  {{"finite-variance", "an integrand with a variance, which plain Monte Carlo does decide",
+                    find_integrand<1>("linear")}}},
     });
 }
 
@@ -258,8 +266,8 @@ void add_undecided_claim(Catalogue& catalogue, std::string_view id) {
 void add_integrand_claims(Catalogue& catalogue) {
     for (const auto& [method, name] :
          {std::pair{Quadrature::gauss_legendre, "gauss-legendre"}, std::pair{Quadrature::tanh_sinh, "tanh-sinh"}}) {
-        add_quadrature_claim<1>(catalogue, method, name, misstated_1d(method));
-        add_quadrature_claim<2>(catalogue, method, name, misstated_2d(method));
+        add_quadrature_claim<1>(catalogue, method, name, misstated_1d());
+        add_quadrature_claim<2>(catalogue, method, name, misstated_2d());
     }
     catalogue.add({
         .id = "integrand/polynomials/exact",
@@ -267,21 +275,21 @@ void add_integrand_claims(Catalogue& catalogue) {
             "Integral and variance of the 1D polynomials are, to 55 decimals, the fractions of exact arithmetic.",
         .source = "ours, analytic/rational.h",
         .kind = Kind::exact,
-        .check = [](const Run&) { return polynomials_are_exact(variance_of); },
-        .mutants = {{"mean-square", "the mean square taken for the variance",
-                     [](const Run&) {
-                         return polynomials_are_exact(
-                             [](const RationalPolynomial& p) { return integral(p * p, 0, 1); });
-                     }}},
+        .trial = {polynomials_are_exact,
+                  variance_of,
+                  {{"mean-square", "the mean square taken for the variance",
+                    [](const RationalPolynomial& p) { return integral(p * p, 0, 1); }}}},
     });
     catalogue.add({
         .id = "integrand/values/rounding",
         .statement = "Every integrand in double is within 1e-12 of its largest value of the multi-precision formula.",
         .source = "ours, analytic/formulas",
         .kind = Kind::bounded,
-        .check = [](const Run& run) { return rounds_well(integrands_1d(), integrands_2d(), run); },
-        .mutants = {{"short-pi", "pi to 12 decimals in aliasing-2d (about 3e-12 of its largest value)",
-                     [](const Run& run) { return rounds_well({}, {with_short_pi()}, run); }}},
+        .trial = {rounds_well,
+                  {integrands_1d(), integrands_2d()},
+                  {{"short-pi",
+                    "pi to 12 decimals in aliasing-2d (about 3e-12 of its largest value)",
+                    {{}, {with_short_pi()}}}}},
     });
 
     add_mean_claims(catalogue);

@@ -146,20 +146,15 @@ std::vector<Placement> disk_placements() {
 
 void add_irradiance(Catalogue& catalogue, const std::string& name, const std::string& lights, std::size_t count,
                     const std::string& source, const std::function<std::vector<Placement>()>& placements,
-                    std::vector<std::pair<Mutant, Defect>> defects) {
-    const auto check = [=](const Defect& defect) {
-        return [=](const Run& run) { return all_irradiances(placements(), defect, run); };
-    };
-    std::vector<Mutant> mutants;
-    for (auto& [mutant, defect] : defects) mutants.push_back({mutant.id, mutant.defect, check(defect)});
-    mutants.push_back({"one-percent", "The density is 1 % too small.", check([](EmitterSample& s) { s.pdf *= 0.99; })});
+                    std::vector<Wrong<Defect>> wrong) {
+    const auto check = [=](const Defect& defect, const Run& run) { return all_irradiances(placements(), defect, run); };
+    wrong.push_back({"one-percent", "The density is 1 % too small.", [](EmitterSample& s) { s.pdf *= 0.99; }});
     catalogue.add({.id = "light/" + name + "/irradiance",
                    .statement = fmt::format("Samples of {} give the irradiance of the closed form at {} placements.",
                                             lights, count),
                    .source = source,
                    .kind = Kind::mean,
-                   .check = check({}),
-                   .mutants = std::move(mutants)});
+                   .trial = {check, {}, std::move(wrong)}});
 }
 
 // ---- the choice among lights
@@ -216,45 +211,42 @@ void add_choice(Catalogue& catalogue) {
                    .statement = "The probabilities of choosing lights, uniformly or by power, sum to 1.",
                    .source = "ours, scenes/emitters/light_chooser.h",
                    .kind = Kind::bounded,
-                   .check = [=](const Run&) { return chances_sum_to_one(right); },
-                   .mutants = {{"without-the-last", "The last light is left out.", [=](const Run&) {
-                                    return chances_sum_to_one([=](const LightChooser& chooser, std::size_t i) {
-                                        return i + 1 == chooser.count() ? 0 : right(chooser, i);
-                                    });
-                                }}}});
-    catalogue.add(
-        {.id = "light/choice/distribution",
-         .statement = "Lights are chosen in proportion to their power, black ones never.",
-         .source = "ours, scenes/emitters/light_chooser.h",
-         .kind = Kind::distribution,
-         .check = [](const Run& run) { return choices_follow(four_lights(), run); },
-         .mutants = {
-             {"uniform", "All alike.", [](const Run& run) { return choices_follow(LightChooser::uniform(4), run); }},
-             {"power-off", "The first light has the power 1.25, not 1.", [](const Run& run) {
-                  return choices_follow(LightChooser::by_power({Spectrum::grey(1.25), Spectrum::grey(5),
-                                                                Spectrum::grey(0), Spectrum::grey(2)}),
-                                        run);
-              }}}});
+                   .trial = {chances_sum_to_one,
+                             right,
+                             {{"without-the-last", "The last light is left out.",
+                               [=](const LightChooser& chooser, std::size_t i) {
+                                   return i + 1 == chooser.count() ? 0 : right(chooser, i);
+                               }}}}});
+    catalogue.add({.id = "light/choice/distribution",
+                   .statement = "Lights are chosen in proportion to their power, black ones never.",
+                   .source = "ours, scenes/emitters/light_chooser.h",
+                   .kind = Kind::distribution,
+                   .trial = {choices_follow,
+                             four_lights(),
+                             {{"uniform", "All alike.", LightChooser::uniform(4)},
+                              {"power-off", "The first light has the power 1.25, not 1.",
+                               LightChooser::by_power({Spectrum::grey(1.25), Spectrum::grey(5), Spectrum::grey(0),
+                                                       Spectrum::grey(2)})}}}});
     catalogue.add(
         {.id = "light/choice/irradiance",
          .statement = "One sample of one light, over the product of both probabilities, gives the irradiance of all.",
          .source = "ours, scenes/emitters/light_chooser.h",
          .kind = Kind::mean,
-         .check =
-             [](const Run& run) { return chosen_sum_is([](const ChosenLight& chosen) { return chosen.pmf; }, run); },
-         .mutants = {{"pmf-dropped", "The probability of the light is left out.",
-                      [](const Run& run) { return chosen_sum_is([](const ChosenLight&) { return 1.0; }, run); }},
-                     {"uniform-pmf", "The probability is one in two, however they are chosen.",
-                      [](const Run& run) { return chosen_sum_is([](const ChosenLight&) { return 0.5; }, run); }}}});
+         .trial = {
+             chosen_sum_is,
+             [](const ChosenLight& chosen) { return chosen.pmf; },
+             {{"pmf-dropped", "The probability of the light is left out.", [](const ChosenLight&) { return 1.0; }},
+              {"uniform-pmf", "The probability is one in two, however they are chosen.",
+               [](const ChosenLight&) { return 0.5; }}}}});
 }
 
 }  // namespace
 
 void add_light_irradiance_claims(Catalogue& catalogue) {
-    const std::vector<std::pair<Mutant, Defect>> planar{
-        {{"without-distance", "d² is missing in the density.", {}},
+    const std::vector<Wrong<Defect>> planar{
+        {"without-distance", "d² is missing in the density.",
          [](EmitterSample& s) { s.pdf /= s.distance * s.distance; }},
-        {{"cosine-squared", "The cosine at the receiver is squared.", {}},
+        {"cosine-squared", "The cosine at the receiver is squared.",
          [](EmitterSample& s) { s.radiance = s.radiance * std::abs(s.direction.z); }}};
     add_irradiance(
         catalogue, "rectangle", "a rectangle light", 12, "[Lambert 1760]; analytic/irradiance.h",
@@ -264,7 +256,7 @@ void add_light_irradiance_claims(Catalogue& catalogue) {
         [] { return polygon_placements(true); }, planar);
     add_irradiance(catalogue, "sphere", "a sphere light, parts of it below the horizon,", 12,
                    "[Snyder 1996]; analytic/irradiance.h", sphere_placements,
-                   {{{"hemisphere", "The density is that of a cone of twice the solid angle.", {}},
+                   {{"hemisphere", "The density is that of a cone of twice the solid angle.",
                      [](EmitterSample& s) { s.pdf /= 2; }}});
     add_irradiance(catalogue, "disk", "a disk light", 6, "ours, analytic/irradiance.cpp", disk_placements, planar);
     add_choice(catalogue);

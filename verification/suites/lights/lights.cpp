@@ -79,60 +79,59 @@ Verdict power_is(const Light& light, double found) {
     return within_bound({{light.name, std::abs(found / light.reference_power - 1)}}, 1e-12, "relative");
 }
 
+Light hit_with_wrong_pdf(const Light& light) {
+    Light other = light;
+    other.hit = light.with_wrong_pdf().hit;
+    return other;
+}
+
+Light with_larger_pdf(const Light& light) {
+    Light other = light;
+    other.largest_pdf *= 1.05;
+    other.hit = [light](Vec3 from, Vec3 direction) {
+        auto hit = light.hit(from, direction);
+        if (hit) hit->pdf *= 1.05;
+        return hit;
+    };
+    return other;
+}
+
 void add_one(Catalogue& catalogue, const Light& light) {
     const std::string id = "light/" + light.name;
     if (light.hits) {
-        catalogue.add({.id = id + "/jacobian",
-                       .statement = "The density of samples of " + light.title + " is 1/|∂ω/∂u|.",
-                       .source = light.source,
-                       .kind = Kind::bounded,
-                       .check = [light](const Run&) { return density_is_jacobian(light); },
-                       .mutants = {{"another-pdf", light.pdf_defect,
-                                    [light](const Run&) { return density_is_jacobian(light.with_wrong_pdf()); }}}});
+        catalogue.add(
+            {.id = id + "/jacobian",
+             .statement = "The density of samples of " + light.title + " is 1/|∂ω/∂u|.",
+             .source = light.source,
+             .kind = Kind::bounded,
+             .trial = {density_is_jacobian, light, {{"another-pdf", light.pdf_defect, light.with_wrong_pdf()}}}});
         catalogue.add({.id = id + "/hit",
                        .statement = "A ray towards a sample of " + light.title +
                                     " meets it with the sample's density, radiance and distance.",
                        .source = light.source,
                        .kind = Kind::bounded,
-                       .check = [light](const Run&) { return hit_agrees(light); },
-                       .mutants = {{"another-pdf", light.pdf_defect, [light](const Run&) {
-                                        Light other = light;
-                                        other.hit = light.with_wrong_pdf().hit;
-                                        return hit_agrees(other);
-                                    }}}});
+                       .trial = {hit_agrees, light, {{"another-pdf", light.pdf_defect, hit_with_wrong_pdf(light)}}}});
         catalogue.add({.id = id + "/mass",
                        .statement = "The density of " + light.title + " integrates to 1 over all directions.",
                        .source = light.source,
                        .kind = Kind::mean,
-                       .check = [light](const Run& run) { return mass_is_one(light, run); },
-                       .mutants = {{"another-pdf", light.pdf_defect,
-                                    [light](const Run& run) { return mass_is_one(light.with_wrong_pdf(), run); }},
-                                   {"slightly-large", "The density is 5 % too large.", [light](const Run& run) {
-                                        Light other = light;
-                                        other.largest_pdf *= 1.05;
-                                        other.hit = [light](Vec3 from, Vec3 direction) {
-                                            auto hit = light.hit(from, direction);
-                                            if (hit) hit->pdf *= 1.05;
-                                            return hit;
-                                        };
-                                        return mass_is_one(other, run);
-                                    }}}});
+                       .trial = {mass_is_one,
+                                 light,
+                                 {{"another-pdf", light.pdf_defect, light.with_wrong_pdf()},
+                                  {"slightly-large", "The density is 5 % too large.", with_larger_pdf(light)}}}});
     }
     catalogue.add({.id = id + "/power",
                    .statement = "The power of " + light.title + " is what its radiance and area give.",
                    .source = light.source,
                    .kind = Kind::bounded,
-                   .check = [light](const Run&) { return power_is(light, light.power(light.enclosing)[1]); },
-                   .mutants = {{"without-pi", "π is missing.", [light](const Run&) {
-                                    return power_is(light, light.power(light.enclosing)[1] / pi);
-                                }}}});
+                   .trial = {[light](double found) { return power_is(light, found); },
+                             light.power(light.enclosing)[1],
+                             {{"without-pi", "π is missing.", light.power(light.enclosing)[1] / pi}}}});
     catalogue.add({.id = id + "/flux",
                    .statement = "The flux of " + light.title + " through a sphere, by emitter samples, is its power.",
                    .source = "ours, verification/suites/lights.cpp",
                    .kind = Kind::mean,
-                   .check = [light](const Run& run) { return flux_is_power(light, run); },
-                   .mutants = {{"another-sample", light.pdf_defect,
-                                [light](const Run& run) { return flux_is_power(light.with_wrong_pdf(), run); }}}});
+                   .trial = {flux_is_power, light, {{"another-sample", light.pdf_defect, light.with_wrong_pdf()}}}});
 }
 
 /// The four rows and eight columns of the shipped environment map; a pixel's mass is its density times its solid angle.
@@ -160,16 +159,12 @@ void add_environment_distribution(Catalogue& catalogue) {
          .statement = "Samples of an environment map fall into its pixels with their densities times solid angles.",
          .source = "ours, scenes/emitters/environment_map.h",
          .kind = Kind::distribution,
-         .check = [right](const Run& run) { return environment_samples_follow(right, run); },
-         .mutants = {{"uniform", "Directions are uniform.",
-                      [](const Run& run) { return environment_samples_follow(sample_uniform_sphere, run); }},
-                     {"distorted", "The number that chooses rows is raised to 1.15.", [right](const Run& run) {
-                          return environment_samples_follow(
-                              [right](const Point<2>& u) {
-                                  return right({u[0], std::pow(u[1], 1.15)});
-                              },
-                              run);
-                      }}}});
+         .trial = {environment_samples_follow,
+                   right,
+                   {{"uniform", "Directions are uniform.", sample_uniform_sphere},
+                    {"distorted", "The number that chooses rows is raised to 1.15.", [right](const Point<2>& u) {
+                         return right({u[0], std::pow(u[1], 1.15)});
+                     }}}}});
 }
 
 }  // namespace

@@ -47,15 +47,16 @@ Verdict converges(Generate points, bool edge, const std::vector<std::uint64_t>& 
 }
 
 void add(Catalogue& catalogue, const std::string& id, const std::string& statement, const std::string& source,
-         Generate points, bool edge, const std::vector<std::uint64_t>& n, const Interval& exponents, Mutant mutant,
-         Generate worse) {
-    mutant.check = [=](const Run& run) { return converges(worse, edge, n, exponents, run); };
-    catalogue.add({.id = "light/rate/" + id,
-                   .statement = statement,
-                   .source = source,
-                   .kind = Kind::rate,
-                   .check = [=](const Run& run) { return converges(points, edge, n, exponents, run); },
-                   .mutants = {mutant}});
+         Generate points, bool edge, const std::vector<std::uint64_t>& n, const Interval& exponents,
+         const Wrong<Generate>& worse) {
+    catalogue.add(
+        {.id = "light/rate/" + id,
+         .statement = statement,
+         .source = source,
+         .kind = Kind::rate,
+         .trial = {[=](Generate generate, const Run& run) { return converges(generate, edge, n, exponents, run); },
+                   points,
+                   {worse}}});
 }
 
 std::vector<Point<2>> anywhere_first(std::uint64_t n, RandomStream& random) {
@@ -68,18 +69,17 @@ std::vector<Point<2>> anywhere_first(std::uint64_t n, RandomStream& random) {
 
 void add_light_rate_claims(Catalogue& catalogue) {
     const std::vector<std::uint64_t> squares{16, 64, 256}, powers{16, 32, 64, 128};
-    const Mutant independent{"independent", "Independent samples: n^-1.", {}};
+    const Wrong<Generate> independent{"independent", "Independent samples: n^-1.", independent_points<2>};
     add(catalogue, "jittered-smooth", "With jittered samples of a light in full sight the MSE falls as n^-2.",
-        "[Haber 1966]; docs/statistics.md", stratified_2d, false, squares, {-2.3, -1.7}, independent,
-        independent_points<2>);
+        "[Haber 1966]; docs/statistics.md", stratified_2d, false, squares, {-2.3, -1.7}, independent);
     add(catalogue, "jittered-edge", "With jittered samples of a light behind an edge the MSE falls as n^-1.5.",
-        "docs/statistics.md", stratified_2d, true, squares, {-1.7, -1.3}, independent, independent_points<2>);
+        "docs/statistics.md", stratified_2d, true, squares, {-1.7, -1.3}, independent);
     add(catalogue, "owen-smooth", "With Owen-scrambled samples of a light in full sight the MSE falls as n^-3 log n.",
         "[Owen 1997]", owen_zero_two, false, powers, {-3.25, -2.4},
-        {"first-sample-anywhere", "The first sample is drawn anywhere, which adds a variance of order n^-2.", {}},
-        anywhere_first);
+        {"first-sample-anywhere", "The first sample is drawn anywhere, which adds a variance of order n^-2.",
+         anywhere_first});
     add(catalogue, "owen-edge", "With Owen-scrambled samples of a light behind an edge the MSE falls as n^-1.5.",
-        "docs/statistics.md", owen_zero_two, true, powers, {-1.75, -1.25}, independent, independent_points<2>);
+        "docs/statistics.md", owen_zero_two, true, powers, {-1.75, -1.25}, independent);
 }
 
 }  // namespace plumb::suites

@@ -109,54 +109,47 @@ void add_one(Catalogue& catalogue, const Light& light) {
     const Light twice_the_area = with_rays(light, [](EmittedRay& ray) { ray.pdf.area /= 2; });
     const Light uniform = with_rays(light, [](EmittedRay& ray) { ray.pdf.direction = 1 / (2 * pi); });
     if (light.hits)
-        catalogue.add({.id = id + "/ray-origin",
-                       .statement = "The density of origins of rays of " + light.title + " is 1/|∂p/∂u|.",
-                       .source = source,
-                       .kind = Kind::bounded,
-                       .check = [light](const Run&) { return origin_is_jacobian(light); },
-                       .mutants = {{"twice-the-area", "The density of twice the area.",
-                                    [twice_the_area](const Run&) { return origin_is_jacobian(twice_the_area); }}}});
-    catalogue.add({.id = id + "/ray-direction",
-                   .statement = "The density of directions of rays of " + light.title + " is 1/|∂ω/∂v|.",
-                   .source = source,
-                   .kind = Kind::bounded,
-                   .check = [light](const Run&) { return direction_is_jacobian(light); },
-                   .mutants = {{"uniform", "The density of a uniform hemisphere.",
-                                [uniform](const Run&) { return direction_is_jacobian(uniform); }}}});
+        catalogue.add(
+            {.id = id + "/ray-origin",
+             .statement = "The density of origins of rays of " + light.title + " is 1/|∂p/∂u|.",
+             .source = source,
+             .kind = Kind::bounded,
+             .trial = {
+                 origin_is_jacobian, light, {{"twice-the-area", "The density of twice the area.", twice_the_area}}}});
+    catalogue.add(
+        {.id = id + "/ray-direction",
+         .statement = "The density of directions of rays of " + light.title + " is 1/|∂ω/∂v|.",
+         .source = source,
+         .kind = Kind::bounded,
+         .trial = {direction_is_jacobian, light, {{"uniform", "The density of a uniform hemisphere.", uniform}}}});
     catalogue.add({.id = id + "/ray-pdf",
                    .statement = "A ray of " + light.title +
                                 " is known again with its densities; times its weight they are radiance and cosine.",
                    .source = source,
                    .kind = Kind::bounded,
-                   .check = [light](const Run&) { return pdf_and_weight_agree(light); },
-                   .mutants = {{"twice-the-area", "The density of twice the area.",
-                                [twice_the_area](const Run&) { return pdf_and_weight_agree(twice_the_area); }},
-                               {"uniform", "The density of a uniform hemisphere.",
-                                [uniform](const Run&) { return pdf_and_weight_agree(uniform); }}}});
+                   .trial = {pdf_and_weight_agree,
+                             light,
+                             {{"twice-the-area", "The density of twice the area.", twice_the_area},
+                              {"uniform", "The density of a uniform hemisphere.", uniform}}}});
     catalogue.add({.id = id + "/ray-flux",
                    .statement = "The weights of rays of " + light.title + " are its power on average.",
                    .source = source,
                    .kind = Kind::mean,
-                   .check = [light](const Run& run) { return flux_is_power(light, run); },
-                   .mutants = {{"slightly-bright", "Rays weigh 3 % more.", [light](const Run& run) {
-                                    const auto change = [](EmittedRay& ray) { ray.weight *= 1.03; };
-                                    return flux_is_power(with_rays(light, change), run);
-                                }}}});
+                   .trial = {flux_is_power,
+                             light,
+                             {{"slightly-bright", "Rays weigh 3 % more.",
+                               with_rays(light, [](EmittedRay& ray) { ray.weight *= 1.03; })}}}});
     catalogue.add(
         {.id = id + "/ray-arrival",
          .statement = "Rays of " + light.title + " bring as much light to a square as samples from there say.",
          .source = source,
          .kind = Kind::mean,
-         .check = [light](const Run& run) { return rays_arrive(light, run); },
-         .mutants = {{"upwards", "Rays leave upwards alone.",
-                      [light](const Run& run) {
-                          const auto change = [](EmittedRay& ray) { ray.direction.z = std::abs(ray.direction.z); };
-                          return rays_arrive(with_rays(light, change), run);
-                      }},
-                     {"twice", "Every ray counts twice.", [light](const Run& run) {
-                          const auto change = [](EmittedRay& ray) { ray.weight *= 2; };
-                          return rays_arrive(with_rays(light, change), run);
-                      }}}});
+         .trial = {
+             rays_arrive,
+             light,
+             {{"upwards", "Rays leave upwards alone.",
+               with_rays(light, [](EmittedRay& ray) { ray.direction.z = std::abs(ray.direction.z); })},
+              {"twice", "Every ray counts twice.", with_rays(light, [](EmittedRay& ray) { ray.weight *= 2; })}}}});
 }
 
 }  // namespace

@@ -107,38 +107,34 @@ Verdict samples_are_uniform_again(const Sample& sample, const WarpCase& warp, co
 void add_warp_claims(Catalogue& catalogue) {
     for (const WarpCase& warp : warp_cases()) {
         const auto jacobian = [warp](const std::function<double(Vec3)>& pdf) {
-            return [=](const Run&) {
-                return pdf_is_jacobian([&](const Point<2>& u) {
-                    const Vec3 place = warp.sample(u);
-                    return std::optional(Mapped{place, pdf(place)});
-                });
-            };
+            return pdf_is_jacobian([&](const Point<2>& u) {
+                const Vec3 place = warp.sample(u);
+                return std::optional(Mapped{place, pdf(place)});
+            });
         };
         catalogue.add({.id = "warp/" + warp.name + "/jacobian",
                        .statement = "The density of " + warp.title + " is 1/|∂x/∂u|.",
                        .source = warp.source,
                        .kind = Kind::bounded,
-                       .check = jacobian(warp.pdf),
-                       .mutants = {{"another-pdf", warp.pdf_defect, jacobian(warp.wrong_pdf)}}});
+                       .trial = {jacobian, warp.pdf, {{"another-pdf", warp.pdf_defect, warp.wrong_pdf}}}});
         catalogue.add({.id = "warp/" + warp.name + "/inverse",
                        .statement = "The inverse of " + warp.title + " gives back u.",
                        .source = "ours, estimators/densities/warps.h",
                        .kind = Kind::bounded,
-                       .check = [warp](const Run&) { return inverse_undoes(warp.sample, warp); },
-                       .mutants = {{"another-sampler", warp.sample_defect,
-                                    [warp](const Run&) { return inverse_undoes(warp.wrong_sample, warp); }}}});
+                       .trial = {[warp](const Sample& sample) { return inverse_undoes(sample, warp); },
+                                 warp.sample,
+                                 {{"another-sampler", warp.sample_defect, warp.wrong_sample}}}});
         const auto distorted = [warp](const Point<2>& u) { return warp.sample({std::pow(u[0], 1.15), u[1]}); };
-        catalogue.add(
-            {.id = "warp/" + warp.name + "/distribution",
-             .statement = "Samples of " + warp.title + " fall into cells with the masses of its density.",
-             .source = warp.source,
-             .kind = Kind::distribution,
-             .check = [warp](const Run& run) { return samples_are_uniform_again(warp.sample, warp, run); },
-             .mutants = {{"another-sampler", warp.sample_defect,
-                          [warp](const Run& run) { return samples_are_uniform_again(warp.wrong_sample, warp, run); }},
-                         {"distorted", "u0 is raised to 1.15: phi = 0.15.", [warp, distorted](const Run& run) {
-                              return samples_are_uniform_again(distorted, warp, run);
-                          }}}});
+        catalogue.add({.id = "warp/" + warp.name + "/distribution",
+                       .statement = "Samples of " + warp.title + " fall into cells with the masses of its density.",
+                       .source = warp.source,
+                       .kind = Kind::distribution,
+                       .trial = {[warp](const Sample& sample, const Run& run) {
+                                     return samples_are_uniform_again(sample, warp, run);
+                                 },
+                                 warp.sample,
+                                 {{"another-sampler", warp.sample_defect, warp.wrong_sample},
+                                  {"distorted", "u0 is raised to 1.15: phi = 0.15.", distorted}}}});
     }
 }
 

@@ -173,8 +173,15 @@ void for_problems(int low, const Body& body) {
         for (int code = 0; code < 27; ++code) body(Rationals{code % 3 + low, code / 3 % 3 + low, code / 9 + low}, pmfs);
 }
 
+/// Weights, said to be bounded for integrands whose values are from lowest_f to lowest_f + 2.
+struct Bounded {
+    Weights<Rational> heuristic;
+    int lowest_f;
+};
+
 /// V[F̂] ≤ V[F] + (1/min n − 1/Σn) μ² for every table of weights F, F̂ with these weights?
-Verdict variance_bound(const Weights<Rational>& heuristic, int lowest_f) {
+Verdict variance_bound(const Bounded& subject) {
+    const auto& [heuristic, lowest_f] = subject;
     std::string failure;
     std::uint64_t cases = 0;
     for_problems(lowest_f, [&](const Rationals& f, const std::array<Rationals, 3>& pmfs) {
@@ -215,99 +222,111 @@ Verdict least_one_sample_variance(const Weights<Rational>& heuristic) {
     return exactly(failure.empty(), cases, failure.empty() ? "no weights do better" : failure);
 }
 
-}  // namespace
+using Q = Rational;
+using Contributions = std::vector<Contribution<Q>>;
 
-void add_exact_mis_claims(Catalogue& catalogue) {
-    using Q = Rational;
+Contributions of_every_heuristic() {
+    return {contribution<Q>(Balance{}), contribution<Q>(Power{}), contribution<Q>(Maximum{}),
+            contribution<Q>(Cutoff{0.5})};
+}
+
+void add_definitions(Catalogue& catalogue) {
     catalogue.add({
         .id = "mis/weights/sum",
         .statement = "Balance, power, maximum and cutoff weights sum to 1 wherever a technique can sample, and are 0 "
                      "for every technique that cannot.",
         .source = "Veach 1997, conditions W1 and W2",
         .kind = Kind::exact,
-        .check = [](const Run&) { return sums_to_one(all_heuristics<Q>()); },
-        .mutants = {{"power-not-normalised", "Squares are divided by the sum of n p, not of (n p)².",
-                     [](const Run&) { return sums_to_one({over_the_balance_sum<Q>(Power{})}); }},
-                    {"cutoff-not-renormalised", "What is cut off is not given to the techniques that stay.",
-                     [](const Run&) { return sums_to_one({over_the_balance_sum<Q>(Cutoff{0.5})}); }}},
+        .trial = {sums_to_one,
+                  all_heuristics<Q>(),
+                  {{"power-not-normalised",
+                    "Squares are divided by the sum of n p, not of (n p)².",
+                    {over_the_balance_sum<Q>(Power{})}},
+                   {"cutoff-not-renormalised",
+                    "What is cut off is not given to the techniques that stay.",
+                    {over_the_balance_sum<Q>(Cutoff{0.5})}}}},
     });
     catalogue.add({
         .id = "mis/balance/definition",
         .statement = "The balance weights are n_i p_i / Σ n_k p_k.",
         .source = "Veach 1997, eq. 9.8",
         .kind = Kind::exact,
-        .check = [](const Run&) { return is_power_of_np(weights<Q>(Balance{}), 1); },
-        .mutants = {{"wrong-counts", "The weights take every count for 1.",
-                     [](const Run&) { return is_power_of_np(ignoring_counts<Q>(), 1); }}},
+        .trial = {[](const Weights<Rational>& heuristic) { return is_power_of_np(heuristic, 1); },
+                  weights<Q>(Balance{}),
+                  {{"wrong-counts", "The weights take every count for 1.", ignoring_counts<Q>()}}},
     });
     catalogue.add({
         .id = "mis/power/definition",
         .statement = "The power weights with β = 2 are (n_i p_i)² / Σ (n_k p_k)².",
         .source = "Veach 1997, eq. 9.13",
         .kind = Kind::exact,
-        .check = [](const Run&) { return is_power_of_np(weights<Q>(Power{}), 2); },
-        .mutants = {{"balance", "The exponent is forgotten.",
-                     [](const Run&) { return is_power_of_np(weights<Q>(Balance{}), 2); }}},
+        .trial = {[](const Weights<Rational>& heuristic) { return is_power_of_np(heuristic, 2); },
+                  weights<Q>(Power{}),
+                  {{"balance", "The exponent is forgotten.", weights<Q>(Balance{})}}},
     });
+}
+
+void add_expectations(Catalogue& catalogue) {
     catalogue.add({
         .id = "mis/multi-sample/expectation",
         .statement = "The multi-sample estimator has the expectation Σ f over every outcome, for every heuristic.",
         .source = "Veach 1997, lemma 9.1",
         .kind = Kind::exact,
-        .check =
-            [](const Run&) {
-                return all_of({multi_sample_is_unbiased(contribution<Q>(Balance{})),
-                               multi_sample_is_unbiased(contribution<Q>(Power{})),
-                               multi_sample_is_unbiased(contribution<Q>(Maximum{})),
-                               multi_sample_is_unbiased(contribution<Q>(Cutoff{0.5}))});
-            },
-        .mutants = {{"short-form-wrong-counts", "f / Σ n_k p_k takes the counts in another order.",
-                     [](const Run&) { return multi_sample_is_unbiased(short_form_with_reversed_counts<Q>); }},
-                    {"power-not-normalised", "Squares are divided by the sum of n p.",
-                     [](const Run&) {
-                         return multi_sample_is_unbiased(with_weights<Q>(over_the_balance_sum<Q>(Power{})));
-                     }}},
+        .trial = {[](const Contributions& all) { return all_of_each(multi_sample_is_unbiased, all); },
+                  of_every_heuristic(),
+                  {{"short-form-wrong-counts",
+                    "f / Σ n_k p_k takes the counts in another order.",
+                    {short_form_with_reversed_counts<Q>}},
+                   {"power-not-normalised",
+                    "Squares are divided by the sum of n p.",
+                    {with_weights<Q>(over_the_balance_sum<Q>(Power{}))}}}},
     });
     catalogue.add({
         .id = "mis/one-sample/expectation",
         .statement = "The one-sample estimator has the expectation Σ f over every outcome, for every heuristic.",
         .source = "Veach 1997, eq. 9.15",
         .kind = Kind::exact,
-        .check =
-            [](const Run&) {
-                return all_of({one_sample_is_unbiased(contribution<Q>(Balance{})),
-                               one_sample_is_unbiased(contribution<Q>(Power{})),
-                               one_sample_is_unbiased(contribution<Q>(Maximum{})),
-                               one_sample_is_unbiased(contribution<Q>(Cutoff{0.5}))});
-            },
-        .mutants = {{"without-c", "The value is not divided by the probability of the technique.",
-                     [](const Run&) { return one_sample_is_unbiased(without_c<Q>); }},
-                    {"cutoff-not-renormalised", "What is cut off is not given to the techniques that stay.",
-                     [](const Run&) {
-                         return one_sample_is_unbiased(with_weights<Q>(over_the_balance_sum<Q>(Cutoff{0.5})));
-                     }}},
+        .trial = {[](const Contributions& all) { return all_of_each(one_sample_is_unbiased, all); },
+                  of_every_heuristic(),
+                  {{"without-c", "The value is not divided by the probability of the technique.", {without_c<Q>}},
+                   {"cutoff-not-renormalised",
+                    "What is cut off is not given to the techniques that stay.",
+                    {with_weights<Q>(over_the_balance_sum<Q>(Cutoff{0.5}))}}}},
     });
+}
+
+void add_theorems(Catalogue& catalogue) {
     catalogue.add({
         .id = "mis/balance/variance-bound",
         .statement = "For f ≥ 0 no weights have a variance smaller than that of the balance heuristic by more than "
                      "(1/min n_i − 1/Σ n_i) μ².",
         .source = "Veach 1997, theorem 9.2",
         .kind = Kind::exact,
-        .check = [](const Run&) { return variance_bound(weights<Q>(Balance{}), 0); },
-        .mutants = {{"any-sign", "f may be negative: then μ says nothing of the techniques' shares μ_i.",
-                     [](const Run&) { return variance_bound(weights<Q>(Balance{}), -1); }},
-                    {"plain-average", "The techniques that can sample a point share it equally.",
-                     [](const Run&) { return variance_bound(plain_average<Q>(), 0); }}},
+        .trial =
+            {variance_bound,
+             {weights<Q>(Balance{}), 0},
+             {{"any-sign",
+               "f may be negative: then μ says nothing of the techniques' shares μ_i.",
+               {weights<Q>(Balance{}), -1}},
+              {"plain-average", "The techniques that can sample a point share it equally.", {plain_average<Q>(), 0}}}},
     });
     catalogue.add({
         .id = "mis/balance/one-sample-optimal",
         .statement = "No weights give the one-sample estimator a smaller variance than the balance heuristic.",
         .source = "Veach 1997, theorem 9.4",
         .kind = Kind::exact,
-        .check = [](const Run&) { return least_one_sample_variance(weights<Q>(Balance{})); },
-        .mutants = {{"power", "The power heuristic is claimed to be optimal.",
-                     [](const Run&) { return least_one_sample_variance(weights<Q>(Power{})); }}},
+        .trial = {least_one_sample_variance,
+                  weights<Q>(Balance{}),
+                  {{"power", "The power heuristic is claimed to be optimal.", weights<Q>(Power{})}}},
     });
+}
+
+}  // namespace
+
+void add_exact_mis_claims(Catalogue& catalogue) {
+    add_definitions(catalogue);
+    add_expectations(catalogue);
+    add_theorems(catalogue);
 }
 
 }  // namespace plumb::suites

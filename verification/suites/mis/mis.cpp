@@ -64,8 +64,15 @@ Verdict double_sums_to_one(const std::vector<Weights<double>>& heuristics) {
     return stable(errors, 2, "sum of MIS weights", "case");
 }
 
+/// Weights said to be those of n p to this power.
+struct PowerWeights {
+    Weights<double> heuristic;
+    int power;
+};
+
 /// Against the definition in rationals. Below 1e-290 the unit is 1e-306: such a weight changes no sum.
-Verdict double_weights_are_right(const Weights<double>& heuristic, int power) {
+Verdict double_weights_are_right(const PowerWeights& weights) {
+    const auto& [heuristic, power] = weights;
     std::vector<BoundedCase> errors;
     for (const Corner& corner : corners()) {
         Rationals np;
@@ -182,6 +189,14 @@ double predicted_balance_variance(const std::vector<std::uint64_t>& counts) {
     return variance;
 }
 
+Verdict balance_variance(const Draw& draw, const Run& run) {
+    return variance_is(draw, predicted_balance_variance(sample_counts), 0.05, 60000, run);
+}
+
+std::vector<double> for_other_counts(std::span<const double> n, std::span<const double> p) {
+    return mis_weights<double>(Balance{}, std::vector<double>{1.4, n[1], n[2]}, p);
+}
+
 /// E[standard_error²] is the variance, so its difference from the squared error has the mean 0.
 Verdict error_bar_mean(double factor, const Run& run) {
     static const std::vector<std::uint64_t> counts{3, 3, 3};
@@ -196,156 +211,118 @@ Verdict error_bar_mean(double factor, const Run& run) {
                    {.reference = 0, .delta = 0.1 * predicted_balance_variance(counts), .bounds = {-4, 1.0 / 3}}, run);
 }
 
-}  // namespace
-
-void add_mis_claims(Catalogue& catalogue) {
+void add_weights(Catalogue& catalogue) {
     catalogue.add({
         .id = "mis/weights/double-sum",
         .statement = "In double the weights sum to 1 within 2 ulp, for densities from 5e-324 to 1.7e308, infinite "
                      "ones, and a thousand techniques.",
         .source = "ours, estimators/mis/mis.h",
         .kind = Kind::bounded,
-        .check = [](const Run&) { return double_sums_to_one(all_heuristics<double>()); },
-        .mutants = {{"balance-without-scaling", "n p is not scaled: it overflows.",
-                     [](const Run&) { return double_sums_to_one({without_scaling(Balance{})}); }},
-                    {"power-without-scaling", "(n p)² is not scaled: it overflows and underflows.",
-                     [](const Run&) { return double_sums_to_one({without_scaling(Power{})}); }}},
+        .trial = {double_sums_to_one,
+                  all_heuristics<double>(),
+                  {{"balance-without-scaling", "n p is not scaled: it overflows.", {without_scaling(Balance{})}},
+                   {"power-without-scaling",
+                    "(n p)² is not scaled: it overflows and underflows.",
+                    {without_scaling(Power{})}}}},
     });
     catalogue.add({
         .id = "mis/weights/double-error",
         .statement = "Each balance and power weight is within 16 ulp of its exact value.",
         .source = "ours: at most 8 and 16 roundings of relative size 2^-53, the common ones cancel",
         .kind = Kind::bounded,
-        .check =
-            [](const Run&) {
-                return all_of({double_weights_are_right(weights<double>(Balance{}), 1),
-                               double_weights_are_right(weights<double>(Power{}), 2)});
-            },
-        .mutants = {{"power-without-scaling", "(n p)² is not scaled: it overflows and underflows.",
-                     [](const Run&) { return double_weights_are_right(without_scaling(Power{}), 2); }}},
+        .trial = {[](const std::vector<PowerWeights>& all) { return all_of_each(double_weights_are_right, all); },
+                  {{weights<double>(Balance{}), 1}, {weights<double>(Power{}), 2}},
+                  {{"power-without-scaling",
+                    "(n p)² is not scaled: it overflows and underflows.",
+                    {{without_scaling(Power{}), 2}}}}},
     });
+}
+
+void add_mean(Catalogue& catalogue, const std::string& name, const Draw& right, std::vector<Wrong<Draw>> wrong) {
     catalogue.add({
-        .id = "mis/balance/mean",
-        .statement = "Multi-sample MIS with the balance heuristic has the mean ∫f.",
+        .id = fmt::format("mis/{}/mean", name),
+        .statement = fmt::format("Multi-sample MIS with the {} heuristic has the mean ∫f.", name),
         .source = "Veach 1997, lemma 9.1",
         .kind = Kind::mean,
-        .check = [](const Run& run) { return multi_sample_mean(multi_sample(Balance{}), run); },
-        .mutants = {{"short-form-wrong-counts", "f / Σ n_k p_k takes the counts in another order.",
-                     [](const Run& run) {
-                         return multi_sample_mean(multi_sample_by(short_form_with_reversed_counts<double>), run);
-                     }},
-                    {"pdf-off-by-normalisation",
-                     "The linear density is 4 % too large where its own samples are divided by it.",
-                     [](const Run& run) {
-                         return multi_sample_mean(multi_sample_by(linear_pdf_too_large(Balance{})), run);
-                     }}},
+        .trial = {multi_sample_mean, right, std::move(wrong)},
     });
-    catalogue.add({
-        .id = "mis/power/mean",
-        .statement = "Multi-sample MIS with the power heuristic has the mean ∫f.",
-        .source = "Veach 1997, lemma 9.1",
-        .kind = Kind::mean,
-        .check = [](const Run& run) { return multi_sample_mean(multi_sample(Power{}), run); },
-        .mutants = {{"pdf-off-by-normalisation",
-                     "The linear density is 4 % too large where its own samples are divided by it.",
-                     [](const Run& run) {
-                         return multi_sample_mean(multi_sample_by(linear_pdf_too_large(Power{})), run);
-                     }},
-                    {"not-normalised", "Squares are divided by the sum of n p.",
-                     [](const Run& run) {
-                         return multi_sample_mean(
-                             multi_sample_by(with_weights<double>(over_the_balance_sum<double>(Power{}))), run);
-                     }}},
-    });
-    catalogue.add({
-        .id = "mis/maximum/mean",
-        .statement = "Multi-sample MIS with the maximum heuristic has the mean ∫f.",
-        .source = "Veach 1997, lemma 9.1",
-        .kind = Kind::mean,
-        .check = [](const Run& run) { return multi_sample_mean(multi_sample(Maximum{}), run); },
-        .mutants = {{"pdf-off-by-normalisation",
-                     "The linear density is 4 % too large where its own samples are divided by it.",
-                     [](const Run& run) {
-                         return multi_sample_mean(multi_sample_by(linear_pdf_too_large(Maximum{})), run);
-                     }},
-                    {"not-normalised", "The largest technique keeps its balance weight, the others lose theirs.",
-                     [](const Run& run) {
-                         return multi_sample_mean(
-                             multi_sample_by(with_weights<double>(over_the_balance_sum<double>(Maximum{}))), run);
-                     }}},
-    });
-    catalogue.add({
-        .id = "mis/cutoff/mean",
-        .statement = "Multi-sample MIS with the cutoff heuristic has the mean ∫f.",
-        .source = "Veach 1997, lemma 9.1",
-        .kind = Kind::mean,
-        .check = [](const Run& run) { return multi_sample_mean(multi_sample(Cutoff{0.2}), run); },
-        .mutants = {{"pdf-off-by-normalisation",
-                     "The linear density is 4 % too large where its own samples are divided by it.",
-                     [](const Run& run) {
-                         return multi_sample_mean(multi_sample_by(linear_pdf_too_large(Cutoff{0.2})), run);
-                     }},
-                    {"not-renormalised", "What is cut off is not given to the techniques that stay.",
-                     [](const Run& run) {
-                         return multi_sample_mean(
-                             multi_sample_by(with_weights<double>(over_the_balance_sum<double>(Cutoff{0.2}))), run);
-                     }}},
-    });
+}
+
+template <class Heuristic>
+Wrong<Draw> pdf_off_by_normalisation(Heuristic heuristic) {
+    return {"pdf-off-by-normalisation", "The linear density is 4 % too large where its own samples are divided by it.",
+            multi_sample_by(linear_pdf_too_large(heuristic))};
+}
+
+template <class Heuristic>
+Draw over_the_balance_sum_of(Heuristic heuristic) {
+    return multi_sample_by(with_weights<double>(over_the_balance_sum<double>(heuristic)));
+}
+
+void add_means(Catalogue& catalogue) {
+    add_mean(catalogue, "balance", multi_sample(Balance{}),
+             {{"short-form-wrong-counts", "f / Σ n_k p_k takes the counts in another order.",
+               multi_sample_by(short_form_with_reversed_counts<double>)},
+              pdf_off_by_normalisation(Balance{})});
+    add_mean(catalogue, "power", multi_sample(Power{}),
+             {pdf_off_by_normalisation(Power{}),
+              {"not-normalised", "Squares are divided by the sum of n p.", over_the_balance_sum_of(Power{})}});
+    add_mean(catalogue, "maximum", multi_sample(Maximum{}),
+             {pdf_off_by_normalisation(Maximum{}),
+              {"not-normalised", "The largest technique keeps its balance weight, the others lose theirs.",
+               over_the_balance_sum_of(Maximum{})}});
+    add_mean(catalogue, "cutoff", multi_sample(Cutoff{0.2}),
+             {pdf_off_by_normalisation(Cutoff{0.2}),
+              {"not-renormalised", "What is cut off is not given to the techniques that stay.",
+               over_the_balance_sum_of(Cutoff{0.2})}});
     catalogue.add({
         .id = "mis/one-sample/mean",
         .statement = "One-sample MIS has the mean ∫f.",
         .source = "Veach 1997, eq. 9.15",
         .kind = Kind::mean,
-        .check =
-            [](const Run& run) {
-                return one_sample_mean(
-                    [](RandomStream& random) {
-                        return mis_one_sample<1>(parabola, techniques(), choice_probabilities, Balance{}, 1, random)
-                            .value;
-                    },
-                    run);
-            },
-        .mutants = {{"without-c", "The value is not divided by the probability of the technique.",
-                     [](const Run& run) { return one_sample_mean(one_sample_by(without_c<double>), run); }},
-                    {"pdf-off-by-normalisation",
-                     "The linear density is 4 % too large where its own samples are divided by it.",
-                     [](const Run& run) {
-                         return one_sample_mean(one_sample_by(linear_pdf_too_large(Balance{})), run);
-                     }}},
+        .trial = {one_sample_mean,
+                  [](RandomStream& random) {
+                      return mis_one_sample<1>(parabola, techniques(), choice_probabilities, Balance{}, 1, random)
+                          .value;
+                  },
+                  {{"without-c", "The value is not divided by the probability of the technique.",
+                    one_sample_by(without_c<double>)},
+                   {"pdf-off-by-normalisation",
+                    "The linear density is 4 % too large where its own samples are divided by it.",
+                    one_sample_by(linear_pdf_too_large(Balance{}))}}},
     });
+}
+
+void add_variances(Catalogue& catalogue) {
     catalogue.add({
         .id = "mis/balance/variance",
         .statement = "The variance of multi-sample MIS is Σ_i (∫(w_i f)²/p_i − (∫w_i f)²)/n_i.",
         .source = "Veach 1997, appendix 9.A",
         .kind = Kind::ratio,
-        .check =
-            [](const Run& run) {
-                return variance_is(multi_sample(Balance{}), predicted_balance_variance(sample_counts), 0.05, 60000,
-                                   run);
-            },
-        .mutants = {{"counts-off", "The weights are for counts 1.4, 4, 3: unbiased, but of another variance.",
-                     [](const Run& run) {
-                         const Weights<double> other = [](std::span<const double> n, std::span<const double> p) {
-                             return mis_weights<double>(Balance{}, std::vector<double>{1.4, n[1], n[2]}, p);
-                         };
-                         return variance_is(multi_sample_by(with_weights<double>(other)),
-                                            predicted_balance_variance(sample_counts), 0.05, 60000, run);
-                     }},
-                    {"wrong-counts", "The weights take every count for 1: unbiased, but of another variance.",
-                     [](const Run& run) {
-                         return variance_is(multi_sample_by(with_weights<double>(ignoring_counts<double>())),
-                                            predicted_balance_variance(sample_counts), 0.05, 60000, run);
-                     }}},
+        .trial = {balance_variance,
+                  multi_sample(Balance{}),
+                  {{"counts-off", "The weights are for counts 1.4, 4, 3: unbiased, but of another variance.",
+                    multi_sample_by(with_weights<double>(for_other_counts))},
+                   {"wrong-counts", "The weights take every count for 1: unbiased, but of another variance.",
+                    multi_sample_by(with_weights<double>(ignoring_counts<double>()))}}},
     });
     catalogue.add({
         .id = "mis/balance/error-bar",
         .statement = "The squared standard error of multi-sample MIS is on average its variance.",
         .source = "ours, estimators/mis/mis_estimators.h",
         .kind = Kind::mean,
-        .check = [](const Run& run) { return error_bar_mean(1, run); },
-        .mutants = {{"variance-over-n", "Sums of squares are divided by n = 3, not by n − 1.",
-                     [](const Run& run) { return error_bar_mean(2.0 / 3, run); }}},
+        .trial = {error_bar_mean,
+                  1,
+                  {{"variance-over-n", "Sums of squares are divided by n = 3, not by n − 1.", 2.0 / 3}}},
     });
+}
+
+}  // namespace
+
+void add_mis_claims(Catalogue& catalogue) {
+    add_weights(catalogue);
+    add_means(catalogue);
+    add_variances(catalogue);
 }
 
 }  // namespace plumb::suites

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "estimators/mis/mis.h"
+#include "verification/verdict.h"
 
 namespace plumb::suites {
 
@@ -38,6 +39,13 @@ template <class T>
 std::vector<Weights<T>> all_heuristics() {
     return {weights<T>(Balance{}), weights<T>(Power{}), weights<T>(Power{3}), weights<T>(Maximum{}),
             weights<T>(Cutoff{0.5})};
+}
+
+template <class Subject>
+Verdict all_of_each(Verdict (*check)(const Subject&), const std::vector<Subject>& subjects) {
+    std::vector<Verdict> parts;
+    for (const Subject& subject : subjects) parts.push_back(check(subject));
+    return all_of(std::move(parts));
 }
 
 // ---- mutants of the weights

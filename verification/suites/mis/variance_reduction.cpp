@@ -158,9 +158,7 @@ void add_registered(Catalogue& catalogue, const std::vector<Estimator<D>>& estim
                                      estimator.id, D),
             .source = estimator.source,
             .kind = Kind::mean,
-            .check = [mean](const Run& run) { return mean(1, run); },
-            .mutants = {{"three-percent", "A density or weight is off by a normalisation of 3 %.",
-                         [mean](const Run& run) { return mean(1.03, run); }}},
+            .trial = {mean, 1, {{"three-percent", "A density or weight is off by a normalisation of 3 %.", 1.03}}},
         });
     }
 }
@@ -171,35 +169,31 @@ void add_importance(Catalogue& catalogue) {
         .statement = "f(X)/p(X) has the mean ∫f.",
         .source = "Kahn & Marshall 1953",
         .kind = Kind::mean,
-        .check = [](const Run& run) { return importance_mean(linear(), run); },
-        .mutants = {{"pdf-off-by-normalisation", "The pdf is 0.5 % too large.",
-                     [](const Run& run) { return importance_mean(linear_off_by(1.005), run); }},
-                    {"pdf-squared", "Divided by the square of the pdf.",
-                     [](const Run& run) {
-                         const Technique<1> squared{"squared", linear().sample,
-                                                    [](const Point<1>& x) { return std::pow(linear().pdf(x), 2); }};
-                         return importance_mean(squared, run);
-                     }}},
+        .trial = {importance_mean,
+                  linear(),
+                  {{"pdf-off-by-normalisation", "The pdf is 0.5 % too large.", linear_off_by(1.005)},
+                   {"pdf-squared",
+                    "Divided by the square of the pdf.",
+                    {"squared", linear().sample, [](const Point<1>& x) { return std::pow(linear().pdf(x), 2); }}}}},
     });
     catalogue.add({
         .id = "importance/perfect/zero-variance",
         .statement = "A density proportional to f gives ∫f in every sample.",
         .source = "Kahn & Marshall 1953",
         .kind = Kind::mean,
-        .check = [](const Run& run) { return perfect_importance(linear(), run); },
-        .mutants = {{"almost-proportional", "The density rises from 1 to 3.0001.",
-                     [](const Run& run) {
-                         return perfect_importance(technique_1d("almost", LinearDensity(1, 3.0001)), run);
-                     }}},
+        .trial = {perfect_importance,
+                  linear(),
+                  {{"almost-proportional", "The density rises from 1 to 3.0001.",
+                    technique_1d("almost", LinearDensity(1, 3.0001))}}},
     });
     catalogue.add({
         .id = "importance/linear/error-bar",
         .statement = "The squared standard error of importance sampling is on average its variance.",
         .source = "ours, estimators/mis/importance_sampling.h",
         .kind = Kind::mean,
-        .check = [](const Run& run) { return importance_error_bar(1, run); },
-        .mutants = {{"variance-over-n", "The sum of squares is divided by n = 3, not by n − 1.",
-                     [](const Run& run) { return importance_error_bar(2.0 / 3, run); }}},
+        .trial = {importance_error_bar,
+                  1,
+                  {{"variance-over-n", "The sum of squares is divided by n = 3, not by n − 1.", 2.0 / 3}}},
     });
 }
 
@@ -209,25 +203,20 @@ void add_control_variates(Catalogue& catalogue) {
         .statement = "f − β (g − ∫g) has the mean ∫f.",
         .source = "Hammersley & Handscomb 1964, section 5.5",
         .kind = Kind::mean,
-        .check = [](const Run& run) { return control_variate_mean(identity, run); },
-        .mutants = {{"wrong-integral", "∫g is 0.503, not 1/2.",
-                     [](const Run& run) {
-                         return control_variate_mean({identity.value, 0.503}, run);
-                     }}},
+        .trial = {control_variate_mean,
+                  identity,
+                  {{"wrong-integral", "∫g is 0.503, not 1/2.", {identity.value, 0.503}}}},
     });
     catalogue.add({
         .id = "control-variate/known/variance",
         .statement = "With β = Cov(f,g)/Var g the variance is Var f − Cov²/Var g.",
         .source = "Hammersley & Handscomb 1964, section 5.5",
         .kind = Kind::ratio,
-        .check =
-            [](const Run& run) {
-                return variance_is(controlled(best_beta, identity), best_variance, 0.05, 40000, run);
-            },
-        .mutants = {{"another-coefficient", "β is 5 % too small.",
-                     [](const Run& run) {
-                         return variance_is(controlled(0.95 * best_beta, identity), best_variance, 0.05, 40000, run);
-                     }}},
+        .trial = {[](double beta, const Run& run) {
+                      return variance_is(controlled(beta, identity), best_variance, 0.05, 40000, run);
+                  },
+                  best_beta,
+                  {{"another-coefficient", "β is 5 % too small.", 0.95 * best_beta}}},
     });
     catalogue.add({
         .id = "control-variate/fitted/expectation",
@@ -235,18 +224,20 @@ void add_control_variates(Catalogue& catalogue) {
                      "every n.",
         .source = "ours, estimators/mis/control_variate.h",
         .kind = Kind::exact,
-        .check = [](const Run&) { return fitted_enumerated(cross_fitted<Rational>); },
-        .mutants = {{"same-samples", "The coefficient is fitted on the samples that it is applied to.",
-                     [](const Run&) { return fitted_enumerated(fitted_on_the_same<Rational>); }}},
+        .trial = {fitted_enumerated,
+                  cross_fitted<Rational>,
+                  {{"same-samples", "The coefficient is fitted on the samples that it is applied to.",
+                    fitted_on_the_same<Rational>}}},
     });
     catalogue.add({
         .id = "control-variate/fitted/mean",
         .statement = "The cross-fitted control variate is unbiased with 4 samples.",
         .source = "ours, estimators/mis/control_variate.h",
         .kind = Kind::mean,
-        .check = [](const Run& run) { return fitted_mean(cross_fitted<double>, run); },
-        .mutants = {{"same-samples", "The coefficient is fitted on the samples that it is applied to.",
-                     [](const Run& run) { return fitted_mean(fitted_on_the_same<double>, run); }}},
+        .trial = {fitted_mean,
+                  cross_fitted<double>,
+                  {{"same-samples", "The coefficient is fitted on the samples that it is applied to.",
+                    fitted_on_the_same<double>}}},
     });
     catalogue.add({
         .id = "control-variate/fitted/variance",
@@ -254,9 +245,7 @@ void add_control_variates(Catalogue& catalogue) {
                      "10 %.",
         .source = "ours, estimators/mis/control_variate.h",
         .kind = Kind::ratio,
-        .check = [](const Run& run) { return fitted_variance(256, run); },
-        .mutants = {{"samples-left-out", "Each estimate uses 200 of its 256 samples only.",
-                     [](const Run& run) { return fitted_variance(200, run); }}},
+        .trial = {fitted_variance, 256, {{"samples-left-out", "Each estimate uses 200 of its 256 samples only.", 200}}},
     });
 }
 

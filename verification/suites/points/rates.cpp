@@ -77,11 +77,7 @@ struct Rate {
     std::vector<std::uint64_t> n;
     std::uint64_t replicates;
     Interval exponents;
-    struct Other {
-        std::string id, defect;
-        Generate<D> generate;
-    };
-    std::vector<Other> others;  // sets of another rate
+    std::vector<Wrong<Generate<D>>> others;  // sets of another rate
 };
 
 template <int D>
@@ -97,18 +93,13 @@ Verdict converges(const Rate<D>& rate, const Generate<D>& generate, const Run& r
 
 template <int D>
 void add(Catalogue& catalogue, const Rate<D>& rate) {
-    const auto check = [rate](const Generate<D>& generate) {
-        return [=](const Run& run) { return converges<D>(rate, generate, run); };
-    };
-    std::vector<Mutant> mutants;
-    for (const auto& [id, defect, generate] : rate.others) mutants.push_back({id, defect, check(generate)});
     catalogue.add({
         .id = fmt::format("points/{}-{}d/{}", rate.set, D, rate.property),
         .statement = rate.statement,
         .source = rate.source,
         .kind = Kind::rate,
-        .check = check(rate.generate),
-        .mutants = std::move(mutants),
+        .trial = {[rate](const Generate<D>& generate, const Run& run) { return converges<D>(rate, generate, run); },
+                  rate.generate, rate.others},
     });
 }
 

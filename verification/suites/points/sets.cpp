@@ -48,23 +48,16 @@ Verdict is_uniform(const Generate<D>& generate, const Run& run) {
 }
 
 template <int D>
-struct Defective {
-    std::string id, defect;
-    Generate<D> generate;
-};
+using Defective = Wrong<Generate<D>>;
 
 template <int D>
 void add_uniform(Catalogue& catalogue, const PointSet<D>& set, const std::vector<Defective<D>>& defective) {
-    std::vector<Mutant> mutants;
-    for (const auto& [id, defect, generate] : defective)
-        mutants.push_back({id, defect, [generate](const Run& run) { return is_uniform<D>(generate, run); }});
     catalogue.add({
         .id = fmt::format("points/{}-{}d/uniform", set.id, D),
         .statement = fmt::format("A point picked at random from {} randomised sets is uniform.", set.id),
         .source = set.source,
         .kind = Kind::distribution,
-        .check = [&set](const Run& run) { return is_uniform<D>(set.generate, run); },
-        .mutants = std::move(mutants),
+        .trial = {is_uniform<D>, set.generate, defective},
     });
 }
 
@@ -157,23 +150,19 @@ void add_unbiased(Catalogue& catalogue) {
     for (const PointSet<2>& set : point_sets_2d()) {
         if (!set.randomised) continue;
         const auto one = [](std::uint64_t) { return std::uint64_t{1}; };
-        std::vector<Mutant> mutants{
-            {"squeezed", "No point lies in the last fiftieth of the first axis.", [&set, one](const Run& run) {
-                 return is_unbiased(left_part_of_strata<2>(set.generate, one, 0.98), run);
-             }}};
+        std::vector<Defective<2>> defective{{"squeezed", "No point lies in the last fiftieth of the first axis.",
+                                             left_part_of_strata<2>(set.generate, one, 0.98)}};
         if (set.id == "sobol-owen")
-            mutants.push_back({"unscrambled", "Sobol's sequence as it is.",
-                               [](const Run& run) { return is_unbiased(always<2>(sobol_2d), run); }});
+            defective.push_back({"unscrambled", "Sobol's sequence as it is.", always<2>(sobol_2d)});
         if (set.id == "latin-hypercube")
-            mutants.push_back({"repeated-permutation", "The same permutation on both axes.",
-                               [](const Run& run) { return is_unbiased(latin_hypercube_with_one_permutation, run); }});
+            defective.push_back(
+                {"repeated-permutation", "The same permutation on both axes.", latin_hypercube_with_one_permutation});
         catalogue.add({
             .id = fmt::format("points/{}-2d/unbiased", set.id),
             .statement = fmt::format("The mean of e^(x+y) over six {} points has the expectation (e − 1)².", set.id),
             .source = set.source,
             .kind = Kind::mean,
-            .check = [&set](const Run& run) { return is_unbiased(set.generate, run); },
-            .mutants = std::move(mutants),
+            .trial = {is_unbiased, set.generate, std::move(defective)},
         });
     }
 }

@@ -80,29 +80,26 @@ std::vector<Point<2>> centred_hammersley(std::uint64_t n) {
 }  // namespace
 
 void add_star_discrepancy_claims(Catalogue& catalogue) {
-    const auto mutant = [](bool open, bool closed, bool border) {
-        return [=](const Run&) {
-            return is_star_discrepancy(
-                [=](const auto& points) { return by_critical_boxes(points, open, closed, border); });
-        };
+    const auto boxes = [](bool open, bool closed, bool border) {
+        return [=](const std::vector<Point<2>>& points) { return by_critical_boxes(points, open, closed, border); };
     };
     catalogue.add({
         .id = "points/star-discrepancy/brute-force",
         .statement = "The star discrepancy in O(n²) equals the worst of all critical boxes, open and closed.",
         .source = "[Bundschuh & Zhu 1993]; estimators/points/star_discrepancy.cpp",
-        .check =
-            [](const Run&) { return is_star_discrepancy([](const auto& points) { return star_discrepancy(points); }); },
-        .mutants = {{"closed-boxes-only", "Boxes with too few points are not seen.", mutant(false, true, true)},
-                    {"open-boxes-only", "Boxes with too many points are not seen.", mutant(true, false, true)},
-                    {"border-left-out", "No box reaches 1.", mutant(true, true, false)}},
+        .trial = {is_star_discrepancy,
+                  [](const std::vector<Point<2>>& points) { return star_discrepancy(points); },
+                  {{"closed-boxes-only", "Boxes with too few points are not seen.", boxes(false, true, true)},
+                   {"open-boxes-only", "Boxes with too many points are not seen.", boxes(true, false, true)},
+                   {"border-left-out", "No box reaches 1.", boxes(true, true, false)}}},
     });
     catalogue.add({
         .id = "points/hammersley-2d/star-discrepancy",
         .statement = "n D* of Hammersley's set of n = 2^m points is m/3 + 13/9 − (−1)^m 4/(9·2^m), m = 2 … 10.",
         .source = "[Halton & Zaremba 1969]",
-        .check = [](const Run&) { return hammersley_has_its_discrepancy(hammersley_2d); },
-        .mutants = {{"centred", "The first axis is (i + 1/2)/n.",
-                     [](const Run&) { return hammersley_has_its_discrepancy(centred_hammersley); }}},
+        .trial = {hammersley_has_its_discrepancy,
+                  hammersley_2d,
+                  {{"centred", "The first axis is (i + 1/2)/n.", centred_hammersley}}},
     });
 }
 

@@ -89,60 +89,47 @@ void add_strata(Catalogue& catalogue) {
         .id = "points/stratified-1d/strata",
         .statement = "Each of n equal intervals holds exactly one stratified point, n = 1 … 64.",
         .source = "[Haber 1966]; estimators/points/stratified.cpp",
-        .check =
-            [](const Run& run) {
-                return fills_strata(lifted(stratified_1d), {true, false, false}, run);
-            },
-        .mutants = {{"jitter-into-the-next", "The jitter spans five quarters of a stratum.",
-                     [](const Run& run) {
-                         return fills_strata(lifted(wide_jitter()), {true, false, false}, run);
-                     }}},
+        .trial = {[](const Generate<2>& generate, const Run& run) {
+                      return fills_strata(generate, {true, false, false}, run);
+                  },
+                  lifted(stratified_1d),
+                  {{"jitter-into-the-next", "The jitter spans five quarters of a stratum.", lifted(wide_jitter())}}},
     });
     catalogue.add({
         .id = "points/stratified-2d/strata",
         .statement =
             "Each cell of the grid of n = columns × rows cells holds exactly one stratified point, n = 1 … 64.",
         .source = "[Haber 1966]; estimators/points/stratified.cpp",
-        .check =
-            [](const Run& run) {
-                return fills_strata(stratified_2d, {false, false, true}, run);
-            },
-        .mutants = {{"columns-only", "The points are stratified along x only.",
-                     [](const Run& run) {
-                         return fills_strata(independent_in_columns, {false, false, true}, run);
-                     }}},
+        .trial = {[](const Generate<2>& generate, const Run& run) {
+                      return fills_strata(generate, {false, false, true}, run);
+                  },
+                  stratified_2d,
+                  {{"columns-only", "The points are stratified along x only.", independent_in_columns}}},
     });
     catalogue.add({
         .id = "points/latin-hypercube-2d/projections",
         .statement = "Each of n columns and each of n rows holds exactly one point of a Latin hypercube, n = 1 … 64.",
         .source = "[McKay, Beckman & Conover 1979]",
-        .check =
-            [](const Run& run) {
-                return fills_strata(latin_hypercube_2d, {true, true, false}, run);
-            },
-        .mutants = {{"rows-with-repetition", "Rows are drawn independently, not by a permutation.",
-                     [](const Run& run) {
-                         return fills_strata(latin_hypercube_with_repeated_rows, {true, true, false}, run);
-                     }}},
+        .trial = {[](const Generate<2>& generate, const Run& run) {
+                      return fills_strata(generate, {true, true, false}, run);
+                  },
+                  latin_hypercube_2d,
+                  {{"rows-with-repetition", "Rows are drawn independently, not by a permutation.",
+                    latin_hypercube_with_repeated_rows}}},
     });
     catalogue.add({
         .id = "points/cmj-2d/strata",
         .statement = "Each grid cell, each of n columns and each of n rows holds exactly one correlated multi-jittered "
                      "point, n = 1 … 64.",
         .source = "[Kensler 2013]",
-        .check =
-            [](const Run& run) {
-                return fills_strata(correlated_multi_jittered_2d, {true, true, true}, run);
-            },
-        .mutants = {{"permuted-by-own-index",
-                     "The place within a column is set by the column instead of the row, and vice versa.",
-                     [](const Run& run) {
-                         return fills_strata(multi_jittered_by_own_index, {true, true, true}, run);
-                     }},
-                    {"stratified-only", "Jittered in the cells, not multi-jittered.",
-                     [](const Run& run) {
-                         return fills_strata(stratified_2d, {true, true, true}, run);
-                     }}},
+        .trial = {[](const Generate<2>& generate, const Run& run) {
+                      return fills_strata(generate, {true, true, true}, run);
+                  },
+                  correlated_multi_jittered_2d,
+                  {{"permuted-by-own-index",
+                    "The place within a column is set by the column instead of the row, and vice versa.",
+                    multi_jittered_by_own_index},
+                   {"stratified-only", "Jittered in the cells, not multi-jittered.", stratified_2d}}},
     });
 }
 
@@ -206,9 +193,10 @@ void add_nets(Catalogue& catalogue) {
                      "elementary interval of "
                      "area 2^-k, on the first two axes.",
         .source = "[Sobol' 1967]; estimators/points/sobol.h",
-        .check = [](const Run&) { return is_sequence(sobol_2d); },
-        .mutants = {{"first-point-dropped", "The sequence starts at its second point, as Boost.Random's does.",
-                     [](const Run&) { return is_sequence(sobol_without_origin); }}},
+        .trial = {is_sequence,
+                  sobol_2d,
+                  {{"first-point-dropped", "The sequence starts at its second point, as Boost.Random's does.",
+                    sobol_without_origin}}},
     });
     catalogue.add({
         .id = "points/zero-two-2d/elementary-intervals",
@@ -216,11 +204,10 @@ void add_nets(Catalogue& catalogue) {
                      "each elementary interval "
                      "of area 2^-k.",
         .source = "[Kollig & Keller 2002]; estimators/points/zero_two.cpp",
-        .check = [](const Run&) { return is_sequence(zero_two); },
-        .mutants = {{"same-matrix-twice", "Both axes are van der Corput's sequence.",
-                     [](const Run&) { return is_sequence(same_axis_twice); }},
-                    {"halton", "Halton's sequence, whose second axis is in base 3.",
-                     [](const Run&) { return is_sequence(halton_2d); }}},
+        .trial = {is_sequence,
+                  zero_two,
+                  {{"same-matrix-twice", "Both axes are van der Corput's sequence.", same_axis_twice},
+                   {"halton", "Halton's sequence, whose second axis is in base 3.", halton_2d}}},
     });
     const auto add_scrambled = [&](const std::string& id,
                                    std::vector<Point<2>> (*generate)(std::uint64_t, RandomStream&),
@@ -229,11 +216,14 @@ void add_nets(Catalogue& catalogue) {
             .id = "points/" + id + "-2d/elementary-intervals",
             .statement = "Scrambling keeps the first 2^k points a net: one in each elementary interval of area 2^-k.",
             .source = source,
-            .check = [=](const Run& run) { return first_points_are_nets(generate, 8, run); },
-            .mutants = {{"coins-of-their-own", "A digit of each point is flipped by a coin that no other point shares.",
-                         [](const Run& run) { return first_points_are_nets(coins_of_their_own, 8, run); }},
-                        {"random-shift", "The net is shifted on the torus, which keeps distances but not nets.",
-                         [](const Run& run) { return first_points_are_nets(shifted_zero_two, 8, run); }}},
+            .trial = {[](const Generate<2>& generate, const Run& run) {
+                          return first_points_are_nets(generate, 8, run);
+                      },
+                      generate,
+                      {{"coins-of-their-own", "A digit of each point is flipped by a coin that no other point shares.",
+                        coins_of_their_own},
+                       {"random-shift", "The net is shifted on the torus, which keeps distances but not nets.",
+                        shifted_zero_two}}},
         });
     };
     add_scrambled("sobol-owen", owen_sobol_2d, "[Owen 1995]");
@@ -243,9 +233,10 @@ void add_nets(Catalogue& catalogue) {
         .id = "points/hammersley-2d/elementary-intervals",
         .statement = "2^k points of Hammersley's set hold one point in each elementary interval of area 2^-k.",
         .source = "[Hammersley 1960; Niederreiter 1992]",
-        .check = [](const Run& run) { return first_points_are_nets(fixed(hammersley_2d), 1, run); },
-        .mutants = {{"from-one", "(i + 1)/n on the first axis: the last point leaves the square.",
-                     [](const Run& run) { return first_points_are_nets(fixed(hammersley_from_one), 1, run); }}},
+        .trial = {[](const Generate<2>& generate, const Run& run) { return first_points_are_nets(generate, 1, run); },
+                  fixed(hammersley_2d),
+                  {{"from-one", "(i + 1)/n on the first axis: the last point leaves the square.",
+                    fixed(hammersley_from_one)}}},
     });
 }
 
@@ -270,9 +261,9 @@ void add_halton(Catalogue& catalogue) {
         .id = "points/halton-2d/elementary-intervals",
         .statement = "The first 2^a 3^b points of Halton's sequence lie one in each of 2^a × 3^b equal boxes.",
         .source = "[Halton 1960]; the Chinese remainder theorem",
-        .check = [](const Run&) { return halton_fills_boxes(halton_2d); },
-        .mutants = {{"bases-not-coprime", "Bases 2 and 6.",
-                     [](const Run&) { return halton_fills_boxes(halton_in_bases_two_and_six); }}},
+        .trial = {halton_fills_boxes,
+                  halton_2d,
+                  {{"bases-not-coprime", "Bases 2 and 6.", halton_in_bases_two_and_six}}},
     });
 }
 

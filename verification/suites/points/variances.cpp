@@ -58,11 +58,9 @@ double multi_jittered_variance_of_exp(std::uint64_t m) {
 
 void add_stratified(Catalogue& catalogue) {
     // 8 · 0.275 = 2.2: the jump lies at 0.2 of its stratum; filled to 0.88 only, at 0.227: variance + 9.8 %.
-    const auto jump = [](const Generate<1>& generate) {
-        return [=](const Run& run) {
-            const auto f = [](const Point<1>& p) { return p[0] < 0.275 ? 1.0 : 0.0; };
-            return has_variance(generate, f, 8, 0.2 * 0.8 / 64, 0.04, 100000, run);
-        };
+    const auto jump = [](const Generate<1>& generate, const Run& run) {
+        const auto f = [](const Point<1>& p) { return p[0] < 0.275 ? 1.0 : 0.0; };
+        return has_variance(generate, f, 8, 0.2 * 0.8 / 64, 0.04, 100000, run);
     };
     catalogue.add({
         .id = "points/stratified-1d/variance-jump",
@@ -70,20 +68,19 @@ void add_stratified(Catalogue& catalogue) {
             "The variance of the stratified mean of a jump at x0 is φ(1 − φ)/n², φ the fractional part of n x0.",
         .source = "ours, estimators/points/point_set_slopes.cpp",
         .kind = Kind::ratio,
-        .check = jump(stratified_1d),
-        .mutants = {{"short-jitter", "The jitter fills 88 % of a stratum.",
-                     jump(left_part_of_strata<1>(stratified_1d, one_each, 0.88))},
-                    {"independent", "Independent points.", jump(independent_points<1>)}},
+        .trial = {jump,
+                  stratified_1d,
+                  {{"short-jitter", "The jitter fills 88 % of a stratum.",
+                    left_part_of_strata<1>(stratified_1d, one_each, 0.88)},
+                   {"independent", "Independent points.", independent_points<1>}}},
     });
 }
 
 void add_scrambled(Catalogue& catalogue) {
     // A jitter that fills c = 0.93 of each stratum has 0.93² of its variance (to first order in 1/n): −13.5 %.
-    const auto scrambled = [](const Generate<1>& generate) {
-        return [=](const Run& run) {
-            const auto f = [](const Point<1>& p) { return std::exp(p[0]); };
-            return has_variance(generate, f, 8, stratified_variance_of_exp(8), 0.05, 50000, run);
-        };
+    const auto scrambled = [](const Generate<1>& generate, const Run& run) {
+        const auto f = [](const Point<1>& p) { return std::exp(p[0]); };
+        return has_variance(generate, f, 8, stratified_variance_of_exp(8), 0.05, 50000, run);
     };
     catalogue.add({
         .id = "points/sobol-owen-1d/variance",
@@ -91,21 +88,19 @@ void add_scrambled(Catalogue& catalogue) {
             "2^k Owen-scrambled points of one axis are stratified points: the variance of their mean is the same.",
         .source = "ours, estimators/points/point_set_slopes.cpp",
         .kind = Kind::ratio,
-        .check = scrambled(owen_sobol_1d),
-        .mutants = {{"short-jitter", "Points fill 93 % of their strata.",
-                     scrambled(left_part_of_strata<1>(owen_sobol_1d, one_each, 0.93))},
-                    {"same-flips-for-every-point", "Every point's digits are flipped alike.",
-                     scrambled(xor_van_der_corput)}},
+        .trial = {scrambled,
+                  owen_sobol_1d,
+                  {{"short-jitter", "Points fill 93 % of their strata.",
+                    left_part_of_strata<1>(owen_sobol_1d, one_each, 0.93)},
+                   {"same-flips-for-every-point", "Every point's digits are flipped alike.", xor_van_der_corput}}},
     });
 }
 
 void add_multi_jittered(Catalogue& catalogue) {
-    const auto check = [](const Generate<2>& generate) {
-        return [=](const Run& run) {
-            const Function<2> f = [](const Point<2>& p) { return std::exp(p[0] + p[1]); };
-            const auto draw = [&](RandomStream& random) { return mean_over<2>(generate(64, random), f).value; };
-            return variance_is(draw, multi_jittered_variance_of_exp(8), 0.15, 8000, run);
-        };
+    const auto check = [](const Generate<2>& generate, const Run& run) {
+        const Function<2> f = [](const Point<2>& p) { return std::exp(p[0] + p[1]); };
+        const auto draw = [&](RandomStream& random) { return mean_over<2>(generate(64, random), f).value; };
+        return variance_is(draw, multi_jittered_variance_of_exp(8), 0.15, 8000, run);
     };
     catalogue.add({
         .id = "points/cmj-2d/variance",
@@ -113,12 +108,13 @@ void add_multi_jittered(Catalogue& catalogue) {
                      "permutations and 64 jitters; the permutations' part is of order n^-1.5.",
         .source = "ours, verification/suites/points/variances.cpp",
         .kind = Kind::ratio,
-        .check = check(correlated_multi_jittered_2d),
-        .mutants = {{"rows-not-correlated", "The rows have a permutation each, the columns share one.",
-                     check(multi_jittered_half_correlated)},
-                    {"uncorrelated",
-                     "Each row and each column has a permutation of its own [Chiu, Shirley & Wang 1994].",
-                     check(multi_jittered_uncorrelated)}},
+        .trial = {check,
+                  correlated_multi_jittered_2d,
+                  {{"rows-not-correlated", "The rows have a permutation each, the columns share one.",
+                    multi_jittered_half_correlated},
+                   {"uncorrelated",
+                    "Each row and each column has a permutation of its own [Chiu, Shirley & Wang 1994].",
+                    multi_jittered_uncorrelated}}},
     });
 }
 

@@ -72,14 +72,15 @@ void add_squares(Catalogue& catalogue) {
     const double whole = variance_within(0, 1) / 2, range = std::numbers::e - 1;
     double strata = 0;
     for (int i = 0; i < 4; ++i) strata += variance_within(i / 4.0, 0.25) / 16;
-    const auto check = [](const ErrorBar& estimate, double variance, double width) {
-        return [=](const Run& run) { return square_is_unbiased(estimate, variance, width, run); };
+    const auto check = [](double variance, double width) {
+        return [=](const ErrorBar& estimate, const Run& run) {
+            return square_is_unbiased(estimate, variance, width, run);
+        };
     };
-    const auto mutants = [&](const ErrorBar& estimate, double variance, double width) {
-        return std::vector<Mutant>{{"variance-over-n", "The sum of squares is divided by n = 2, not n − 1.",
-                                    check(divided_by_n(estimate), variance, width)},
-                                   {"of-one-value", "The standard error of one value, not of the mean of two.",
-                                    check(of_one_value(estimate), variance, width)}};
+    const auto wrong = [](const ErrorBar& estimate) {
+        return std::vector<Wrong<ErrorBar>>{
+            {"variance-over-n", "The sum of squares is divided by n = 2, not n − 1.", divided_by_n(estimate)},
+            {"of-one-value", "The standard error of one value, not of the mean of two.", of_one_value(estimate)}};
     };
     catalogue.add({
         .id = "error-bars/independent/squared-standard-error",
@@ -87,21 +88,19 @@ void add_squares(Catalogue& catalogue) {
                      "its expectation.",
         .source = "estimators/points/mean_over.h",
         .kind = Kind::mean,
-        .check = check(two_independent_points, whole, range),
-        .mutants = mutants(two_independent_points, whole, range),
+        .trial = {check(whole, range), two_independent_points, wrong(two_independent_points)},
     });
     // Stratum by stratum a value of e^x moves within its increase, so the mean within (e − 1)/4.
-    auto replicate_mutants = mutants(two_stratified_runs, strata / 2, range / 4);
-    replicate_mutants.push_back({"stratified-as-if-independent", "The spread of the points within one stratified set.",
-                                 check(stratified_as_if_independent, strata / 2, range / 4)});
+    auto wrong_replicates = wrong(two_stratified_runs);
+    wrong_replicates.push_back({"stratified-as-if-independent", "The spread of the points within one stratified set.",
+                                stratified_as_if_independent});
     catalogue.add({
         .id = "error-bars/replicates/squared-standard-error",
         .statement = "The squared standard error of two stratified replicates has the variance of their mean as its "
                      "expectation.",
         .source = "estimators/replicates/replicates.h",
         .kind = Kind::mean,
-        .check = check(two_stratified_runs, strata / 2, range / 4),
-        .mutants = std::move(replicate_mutants),
+        .trial = {check(strata / 2, range / 4), two_stratified_runs, std::move(wrong_replicates)},
     });
 }
 
@@ -126,9 +125,9 @@ void add_coverage(Catalogue& catalogue) {
             "The 95 % interval from eight replicates, with Student's quantile, covers the integral in 95 % of runs.",
         .source = "[Student 1908]; estimators/replicates/replicates.h",
         .kind = Kind::mean,
-        .check = [](const Run& run) { return interval_covers(t_of_7_at_975, run); },
-        .mutants = {{"normal-quantile", "1.96, as if the spread were known: 90.9 % are covered.",
-                     [](const Run& run) { return interval_covers(normal_at_975, run); }}},
+        .trial = {interval_covers,
+                  t_of_7_at_975,
+                  {{"normal-quantile", "1.96, as if the spread were known: 90.9 % are covered.", normal_at_975}}},
     });
 }
 

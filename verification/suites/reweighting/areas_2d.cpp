@@ -25,31 +25,27 @@ std::vector<HardSet> corpus(const Run& run, std::size_t largest) {
     return sets;
 }
 
-Check weights_sum_to_1(const Weigh& weigh) {
-    return [=](const Run& run) {
-        std::vector<BoundedCase> cases;
-        for (const HardSet& set : corpus(run, 200000)) {
-            const std::vector<double> weights = weigh(set.samples);
-            double sum = 0, smallest = 0;
-            for (const double w : weights) sum += w, smallest = std::min(smallest, w);
-            cases.push_back({set.name, std::abs(sum - 1) + (smallest < 0 ? 1 : 0)});
-        }
-        return within_bound(cases, 1e-12, "absolute");
-    };
+Verdict weights_sum_to_1(const Weigh& weigh, const Run& run) {
+    std::vector<BoundedCase> cases;
+    for (const HardSet& set : corpus(run, 200000)) {
+        const std::vector<double> weights = weigh(set.samples);
+        double sum = 0, smallest = 0;
+        for (const double w : weights) sum += w, smallest = std::min(smallest, w);
+        cases.push_back({set.name, std::abs(sum - 1) + (smallest < 0 ? 1 : 0)});
+    }
+    return within_bound(cases, 1e-12, "absolute");
 }
 
-Check areas_agree(const Weigh& weigh, const Weigh& reference, bool only_separated) {
-    return [=](const Run& run) {
-        std::vector<BoundedCase> cases;
-        for (const HardSet& set : corpus(run, 300)) {
-            if (only_separated && !set.separated) continue;
-            const std::vector<double> found = weigh(set.samples), truth = reference(set.samples);
-            double worst = 0;
-            for (std::size_t i = 0; i < truth.size(); ++i) worst = std::max(worst, std::abs(found[i] - truth[i]));
-            cases.push_back({set.name, worst});
-        }
-        return within_bound(cases, 1e-12, "absolute");
-    };
+Verdict areas_agree(const Weigh& weigh, const Weigh& reference, bool only_separated, const Run& run) {
+    std::vector<BoundedCase> cases;
+    for (const HardSet& set : corpus(run, 300)) {
+        if (only_separated && !set.separated) continue;
+        const std::vector<double> found = weigh(set.samples), truth = reference(set.samples);
+        double worst = 0;
+        for (std::size_t i = 0; i < truth.size(); ++i) worst = std::max(worst, std::abs(found[i] - truth[i]));
+        cases.push_back({set.name, worst});
+    }
+    return within_bound(cases, 1e-12, "absolute");
 }
 
 void add_areas(Catalogue& catalogue) {
@@ -59,10 +55,11 @@ void add_areas(Catalogue& catalogue) {
                      "degenerate samples.",
         .source = "ours, estimators/voronoi/voronoi_2d.h",
         .kind = Kind::bounded,
-        .check = weights_sum_to_1(voronoi_areas),
-        .mutants = {{"not-clipped", "boundary cells reach out of the square", weights_sum_to_1(not_clipped)},
-                    {"coincident-counted-fully", "each of several coincident samples gets the whole cell",
-                     weights_sum_to_1(coincident_counted_fully)}},
+        .trial = {weights_sum_to_1,
+                  voronoi_areas,
+                  {{"not-clipped", "boundary cells reach out of the square", not_clipped},
+                   {"coincident-counted-fully", "each of several coincident samples gets the whole cell",
+                    coincident_counted_fully}}},
     });
     catalogue.add({
         .id = "reweighting/2d-torus/sum-to-1",
@@ -70,18 +67,21 @@ void add_areas(Catalogue& catalogue) {
                      "degenerate samples.",
         .source = "ours, estimators/voronoi/voronoi_2d.h",
         .kind = Kind::bounded,
-        .check = weights_sum_to_1(voronoi_areas_periodic),
-        .mutants = {{"copies-missing-on-the-left", "periodic copies are added on three sides only",
-                     weights_sum_to_1(copies_missing_on_the_left)}},
+        .trial = {weights_sum_to_1,
+                  voronoi_areas_periodic,
+                  {{"copies-missing-on-the-left", "periodic copies are added on three sides only",
+                    copies_missing_on_the_left}}},
     });
     catalogue.add({
         .id = "reweighting/2d-voronoi/areas",
         .statement = "Clipped Voronoi areas equal the square cut by every bisector, within 1e-12.",
         .source = "definition of the cell, estimators/voronoi/voronoi_brute_force.h",
         .kind = Kind::bounded,
-        .check = areas_agree(voronoi_areas, brute_force_voronoi_areas, false),
-        .mutants = {{"torus", "cells on the torus",
-                     areas_agree(voronoi_areas_periodic, brute_force_voronoi_areas, true)}},
+        .trial = {[](const Weigh& weigh, const Run& run) {
+                      return areas_agree(weigh, brute_force_voronoi_areas, false, run);
+                  },
+                  voronoi_areas,
+                  {{"torus", "cells on the torus", voronoi_areas_periodic}}},
     });
     catalogue.add({
         .id = "reweighting/2d-torus/areas",
@@ -90,11 +90,13 @@ void add_areas(Catalogue& catalogue) {
             "within 1e-12.",
         .source = "definition of the cell, estimators/voronoi/voronoi_brute_force.h",
         .kind = Kind::bounded,
-        .check = areas_agree(voronoi_areas_periodic, brute_force_voronoi_areas_periodic, true),
-        .mutants = {{"diagonal-copies-missing", "periodic copies only to the left, right, below and above",
-                     areas_agree(diagonal_copies_missing, brute_force_voronoi_areas_periodic, true)},
-                    {"clipped", "clipped cells called periodic",
-                     areas_agree(voronoi_areas, brute_force_voronoi_areas_periodic, true)}},
+        .trial = {[=](const Weigh& weigh, const Run& run) {
+                      return areas_agree(weigh, brute_force_voronoi_areas_periodic, true, run);
+                  },
+                  voronoi_areas_periodic,
+                  {{"diagonal-copies-missing", "periodic copies only to the left, right, below and above",
+                    diagonal_copies_missing},
+                   {"clipped", "clipped cells called periodic", voronoi_areas}}},
     });
 }
 
@@ -114,15 +116,13 @@ double disk_area_by_arc_sines(const Point<2>& c, double r, const Rectangle& box)
     return sum;
 }
 
-Check disk_area_is_stable(double (*area)(const Point<2>&, double, const Rectangle&)) {
-    return [=](const Run&) {
-        std::vector<BoundedCase> cases;
-        for (const DiskCase& c : disk_rectangle_hard_cases()) {
-            const double truth = disk_rectangle_area_by_chords(c.centre, c.radius, c.rectangle);
-            cases.push_back({c.name, ulp_error(area(c.centre, c.radius, c.rectangle), truth), c.radius});
-        }
-        return stable(cases, 8, "area of a disk in a rectangle", "radius");
-    };
+Verdict disk_area_is_stable(double (*area)(const Point<2>&, double, const Rectangle&)) {
+    std::vector<BoundedCase> cases;
+    for (const DiskCase& c : disk_rectangle_hard_cases()) {
+        const double truth = disk_rectangle_area_by_chords(c.centre, c.radius, c.rectangle);
+        cases.push_back({c.name, ulp_error(area(c.centre, c.radius, c.rectangle), truth), c.radius});
+    }
+    return stable(cases, 8, "area of a disk in a rectangle", "radius");
 }
 
 void add_disk(Catalogue& catalogue) {
@@ -131,8 +131,9 @@ void add_disk(Catalogue& catalogue) {
         .statement = "The area of a disk in a rectangle that holds its centre is right within 8 ulp.",
         .source = "ours, analytic/disk_rectangle.cpp",
         .kind = Kind::bounded,
-        .check = disk_area_is_stable(disk_rectangle_area),
-        .mutants = {{"arc-sines", "the textbook formula with arc sines", disk_area_is_stable(disk_area_by_arc_sines)}},
+        .trial = {disk_area_is_stable,
+                  disk_rectangle_area,
+                  {{"arc-sines", "the textbook formula with arc sines", disk_area_by_arc_sines}}},
     });
 }
 

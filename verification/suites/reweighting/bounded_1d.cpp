@@ -53,7 +53,8 @@ double off_one(const Samples& weights) {
     return static_cast<double>(std::abs(sum - 1));
 }
 
-Verdict sum_to_one(const Weigh& weigh, const Run& run, std::uint64_t many) {
+Verdict sum_to_one(const Weigh& weigh, const Run& run) {
+    const auto many = run.pick<std::uint64_t>(100'000, 10'000'000);
     std::vector<BoundedCase> cases;
     for (const auto& [name, samples] : hard_sets(run))
         cases.push_back({name, off_one(weigh(samples)), static_cast<double>(samples.size())});
@@ -192,76 +193,76 @@ void add_reweighting_1d_bounded_claims(Catalogue& catalogue) {
              "Clipped cells of any samples sum to 1 within 1e-12: coincident, clustered, on the boundary, many.",
          .source = "thesis, eq. 4.4",
          .kind = Kind::bounded,
-         .check = [](const Run& run) { return sum_to_one(voronoi_weights_1d, run, run.pick(100'000, 10'000'000)); },
-         .mutants = {{"over-g", "the cells over their expected length, which sum to 1 in the mean only",
-                      [](const Run& run) { return sum_to_one(reweighted_weights_1d, run, 1000); }}}});
-    catalogue.add(
-        {.id = "reweighting/torus-1d/sum",
-         .statement = "Cells on the circle sum to 1 within 1e-12, for the same hard sets.",
-         .source = "ours, estimators/reweighting/cells_1d.h",
-         .kind = Kind::bounded,
-         .check = [](const Run& run) { return sum_to_one(torus_weights_1d, run, run.pick(100'000, 10'000'000)); },
-         .mutants = {{"coincident-each-get-all", "coincident samples each get the whole cell",
-                      [](const Run& run) { return sum_to_one(torus_weights_unshared, run, 1000); }}}});
-    catalogue.add({.id = "reweighting/voronoi-1d/cells",
-                   .statement = "Clipped cells are those of a sort-free construction from half-lines.",
-                   .source = "thesis, section 4.4.1",
+         .trial = {sum_to_one,
+                   voronoi_weights_1d,
+                   {{"over-g", "the cells over their expected length, which sum to 1 in the mean only",
+                     reweighted_weights_1d}}}});
+    catalogue.add({.id = "reweighting/torus-1d/sum",
+                   .statement = "Cells on the circle sum to 1 within 1e-12, for the same hard sets.",
+                   .source = "ours, estimators/reweighting/cells_1d.h",
                    .kind = Kind::bounded,
-                   .check = [](const Run& run) { return agrees_with_half_lines(voronoi_weights_1d, false, run); },
-                   .mutants = {{"wrapped", "cells on the circle",
-                                [](const Run& run) { return agrees_with_half_lines(torus_weights_1d, false, run); }}}});
+                   .trial = {sum_to_one,
+                             torus_weights_1d,
+                             {{"coincident-each-get-all", "coincident samples each get the whole cell",
+                               torus_weights_unshared}}}});
+    catalogue.add(
+        {.id = "reweighting/voronoi-1d/cells",
+         .statement = "Clipped cells are those of a sort-free construction from half-lines.",
+         .source = "thesis, section 4.4.1",
+         .kind = Kind::bounded,
+         .trial = {[](const Weigh& weigh, const Run& run) { return agrees_with_half_lines(weigh, false, run); },
+                   voronoi_weights_1d,
+                   {{"wrapped", "cells on the circle", torus_weights_1d}}}});
     catalogue.add(
         {.id = "reweighting/torus-1d/cells",
          .statement = "Cells on the circle are those of a sort-free construction from half-lines of periodic copies.",
          .source = "ours, estimators/reweighting/cells_1d.h",
          .kind = Kind::bounded,
-         .check = [](const Run& run) { return agrees_with_half_lines(torus_weights_1d, true, run); },
-         .mutants = {{"clipped-called-periodic", "cells clipped to [0,1]",
-                      [](const Run& run) { return agrees_with_half_lines(voronoi_weights_1d, true, run); }}}});
+         .trial = {[](const Weigh& weigh, const Run& run) { return agrees_with_half_lines(weigh, true, run); },
+                   torus_weights_1d,
+                   {{"clipped-called-periodic", "cells clipped to [0,1]", voronoi_weights_1d}}}});
     catalogue.add({.id = "reweighting/g-1d/stable",
                    .statement = "g in double is within 8 ulp for N up to 10^9 and x from 2^-1074 to 1 − 2^-53.",
                    .source = "thesis, eq. 4.6; truth by MPFR",
                    .kind = Kind::bounded,
-                   .check = [](const Run&) { return within_8_ulp(cell_weight); },
-                   .mutants = {{"by-pow", "the formula as printed: the rounding of 1 − x is raised to the power N − 1",
-                                [](const Run&) { return within_8_ulp(by_pow); }}}});
+                   .trial = {within_8_ulp,
+                             cell_weight,
+                             {{"by-pow", "the formula as printed: the rounding of 1 − x is raised to the power N − 1",
+                               by_pow}}}});
     catalogue.add(
         {.id = "reweighting/g-stratified/stable",
          .statement = "g_s in double is within 2 ulp of the exact rational, for N up to 10^9 and every place.",
          .source = "ours, analytic/cell_weight.h; truth in rationals",
          .kind = Kind::bounded,
-         .check = [](const Run&) { return stratified_within_2_ulp(stratified_cell_weight); },
-         .mutants = {{"g-of-iid-samples", "g_N of i.i.d. samples",
-                      [](const Run&) { return stratified_within_2_ulp(cell_weight); }}}});
+         .trial = {stratified_within_2_ulp,
+                   stratified_cell_weight,
+                   {{"g-of-iid-samples", "g_N of i.i.d. samples", cell_weight}}}});
     catalogue.add({.id = "reweighting/g-density/quadrature",
                    .statement = "General g by quadrature is within its derived bound of the closed forms for uniform "
                                 "and stepped densities.",
                    .source = "ours, analytic/cell_weight_density.h",
                    .kind = Kind::bounded,
-                   .check = [](const Run&) { return quadrature_within_its_bound(cell_weight_by_quadrature); },
-                   .mutants = {{"n-for-n-minus-1", "N other samples in place of N − 1", [](const Run&) {
-                                    return quadrature_within_its_bound(
-                                        [](std::uint64_t n, double x, const Density1D& p, int panels) {
-                                            const double scale = static_cast<double>(n) / static_cast<double>(n + 1);
-                                            const BoundedValue g = cell_weight_by_quadrature(n + 1, x, p, panels);
-                                            return BoundedValue{scale * g.value, scale * g.error};
-                                        });
-                                }}}});
+                   .trial = {quadrature_within_its_bound,
+                             cell_weight_by_quadrature,
+                             {{"n-for-n-minus-1", "N other samples in place of N − 1",
+                               [](std::uint64_t n, double x, const Density1D& p, int panels) {
+                                   const double scale = static_cast<double>(n) / static_cast<double>(n + 1);
+                                   const BoundedValue g = cell_weight_by_quadrature(n + 1, x, p, panels);
+                                   return BoundedValue{scale * g.value, scale * g.error};
+                               }}}}});
     catalogue.add(
         {.id = "reweighting/yakowitz-trapezoid/lines",
          .statement = "The trapezoidal rule on samples and ends integrates a line within 1e-12, whatever the samples.",
          .source = "Yakowitz et al. 1978",
          .kind = Kind::bounded,
-         .check = [](const Run& run) { return integrates_lines(trapezoid_weights_1d, run); },
-         .mutants = {{"without-the-ends", "the nearest-neighbour rule, ends unused", [](const Run& run) {
-                          return integrates_lines(
-                              [](std::span<const double> samples) {
-                                  Samples weights = voronoi_weights_1d(samples);
-                                  weights.insert(weights.end(), {0, 0});
-                                  return weights;
-                              },
-                              run);
-                      }}}});
+         .trial = {
+             integrates_lines,
+             trapezoid_weights_1d,
+             {{"without-the-ends", "the nearest-neighbour rule, ends unused", [](std::span<const double> samples) {
+                   Samples weights = voronoi_weights_1d(samples);
+                   weights.insert(weights.end(), {0, 0});
+                   return weights;
+               }}}}});
 }
 
 }  // namespace plumb::suites

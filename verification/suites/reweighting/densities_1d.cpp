@@ -90,10 +90,8 @@ Verdict error_bar_is_true(double scale, const Run& run) {
 
 void add_densities(Catalogue& catalogue) {
     const std::vector<At> places{{2, 0.002}, {4, 0.002}};
-    const auto warp_check = [=](const Function<1>& f, const Weigh& weigh) {
-        return [=](const Run& run) {
-            return unbiased(weighted(independent_samples_1d, weigh, f), places, {0, 4.1}, run);
-        };
+    const auto warp_check = [=](const Function<1>& f, const Weigh& weigh, const Run& run) {
+        return unbiased(weighted(independent_samples_1d, weigh, f), places, {0, 4.1}, run);
     };
     const Function<1> off_by_its_normalisation = warped(exponential, RampOffByItsNormalisation{});
     catalogue.add(
@@ -101,61 +99,60 @@ void add_densities(Catalogue& catalogue) {
          .statement = "Reweighting f(T(u))/p(T(u)) in u is unbiased, for the density p(x) = 1/2 + x.",
          .source = "ours, estimators/reweighting/warp.h",
          .kind = Kind::mean,
-         .check = warp_check(warped(exponential, ramp), reweighted_weights_1d),
-         .mutants = {
-             {"pdf-off-by-its-normalisation", "p normalised by a left Riemann sum of 100 panels, 0.995 for 1",
-              warp_check(off_by_its_normalisation, reweighted_weights_1d)},
-             {"no-pdf", "f(T(u)) without 1/p",
-              warp_check([](const Point<1>& u) { return exponential({ramp.sample(u[0])}); }, reweighted_weights_1d)}}});
+         .trial = {
+             [=](const Function<1>& f, const Run& run) { return warp_check(f, reweighted_weights_1d, run); },
+             warped(exponential, ramp),
+             {{"pdf-off-by-its-normalisation", "p normalised by a left Riemann sum of 100 panels, 0.995 for 1",
+               off_by_its_normalisation},
+              {"no-pdf", "f(T(u)) without 1/p", [](const Point<1>& u) { return exponential({ramp.sample(u[0])}); }}}}});
     catalogue.add(
         {.id = "reweighting/warp-torus-tent/unbiased",
          .statement = "Torus and tent applied to f(T(u))/p(T(u)) are unbiased, for the density p(x) = 1/2 + x.",
          .source = "ours, estimators/reweighting/warp.h",
          .kind = Kind::mean,
-         .check =
-             warp_check([f = warped(exponential, ramp)](const Point<1>& u) { return f(tent(u)); }, torus_weights_1d),
-         .mutants = {{"pdf-off-by-its-normalisation", "p normalised by a left Riemann sum of 100 panels, 0.995 for 1",
-                      warp_check([f = off_by_its_normalisation](const Point<1>& u) { return f(tent(u)); },
-                                 torus_weights_1d)}}});
+         .trial = {[=](const Function<1>& f, const Run& run) { return warp_check(f, torus_weights_1d, run); },
+                   [f = warped(exponential, ramp)](const Point<1>& u) { return f(tent(u)); },
+                   {{"pdf-off-by-its-normalisation", "p normalised by a left Riemann sum of 100 panels, 0.995 for 1",
+                     [f = off_by_its_normalisation](const Point<1>& u) { return f(tent(u)); }}}}});
 
     // ε: a relative error of g is one of the estimate, and with M = sup p = 3/2 the side of x that is at least 1/2 wide
     // gives g ≥ N/2 ∫_0^{1/2} (1 − M t)^{N−1} dt ≥ 0.31 for N ≥ 2.
     using WeightAt = std::function<double(std::uint64_t n, double x)>;
-    const auto density_check = [](const WeightAt& g, bool with_pdf) {
-        return [=](const Run& run) {
-            std::vector<Verdict> parts;
-            for (const At& place : {At{2, 0.0035}, At{4, 0.0022}}) {
-                const std::uint64_t n = place.n;
-                const CellWeightTable table(n, ramp_density, 1e-4);
-                const auto at = [&](double x) { return g ? g(n, x) : table(x); };
-                const auto pdf = [&](double x) { return with_pdf ? ramp_density.pdf(x) : 1.0; };
-                const Weigh weigh = [&](std::span<const double> samples) {
-                    return density_reweighted_weights_1d(samples, at, pdf);
-                };
-                parts.push_back(unbiased(weighted(ramp_samples, weigh), {place}, {0, 6.1},
-                                         run.part(fmt::format("{}", n), 0.5),
-                                         table.error_bound() / 0.3 * integral_of_exp));
-            }
-            return all_of(std::move(parts));
-        };
+    struct Division {
+        WeightAt g;  ///< empty: tabulated
+        std::function<double(double)> pdf;
     };
+    const auto density_check = [](const Division& by, const Run& run) {
+        std::vector<Verdict> parts;
+        for (const At& place : {At{2, 0.0035}, At{4, 0.0022}}) {
+            const std::uint64_t n = place.n;
+            const CellWeightTable table(n, ramp_density, 1e-4);
+            const auto at = [&](double x) { return by.g ? by.g(n, x) : table(x); };
+            const Weigh weigh = [&](std::span<const double> samples) {
+                return density_reweighted_weights_1d(samples, at, by.pdf);
+            };
+            parts.push_back(unbiased(weighted(ramp_samples, weigh), {place}, {0, 6.1},
+                                     run.part(fmt::format("{}", n), 0.5), table.error_bound() / 0.3 * integral_of_exp));
+        }
+        return all_of(std::move(parts));
+    };
+    const auto ramp_pdf = [](double x) { return ramp_density.pdf(x); };
     catalogue.add(
         {.id = "reweighting/g-density/unbiased",
          .statement =
              "Clipped cells over g p, g tabulated for the density p(x) = 1/2 + x, are unbiased, at N = 2 and 4.",
          .source = "ours, analytic/cell_weight_density.h",
          .kind = Kind::mean,
-         .check = density_check({}, true),
-         .mutants = {
-             {"g-of-uniform-samples", "g_N(x) of uniform samples", density_check(cell_weight, true)},
-             {"uniform-g-warped", "g_N(F(x)): the law of cells in u, not in x",
-              density_check([](std::uint64_t n, double x) { return cell_weight(n, ramp_density.cdf(x)); }, true)},
-             {"no-pdf", "|V|/g without 1/p", density_check({}, false)}}});
+         .trial = {density_check,
+                   {{}, ramp_pdf},
+                   {{"g-of-uniform-samples", "g_N(x) of uniform samples", {cell_weight, ramp_pdf}},
+                    {"uniform-g-warped",
+                     "g_N(F(x)): the law of cells in u, not in x",
+                     {[](std::uint64_t n, double x) { return cell_weight(n, ramp_density.cdf(x)); }, ramp_pdf}},
+                    {"no-pdf", "|V|/g without 1/p", {{}, [](double) { return 1.0; }}}}}});
 
-    const auto step_check = [=](const Weigh& weigh) {
-        return [=](const Run& run) {
-            return unbiased(weighted(step_samples, weigh), {{2, 0.0045}, {4, 0.004}}, {0, 10.3}, run);
-        };
+    const auto step_check = [=](const Weigh& weigh, const Run& run) {
+        return unbiased(weighted(step_samples, weigh), {{2, 0.0045}, {4, 0.004}}, {0, 10.3}, run);
     };
     catalogue.add(
         {.id = "reweighting/density-reweighted/unbiased",
@@ -163,26 +160,26 @@ void add_densities(Catalogue& catalogue) {
              "Clipped cells over g p, g in closed form for a density of four steps, are unbiased, at N = 2 and 4.",
          .source = "ours, analytic/cell_weight_density.h",
          .kind = Kind::mean,
-         .check = step_check([density = four_steps()](std::span<const double> samples) {
-             return density_reweighted_weights_1d(samples, density);
-         }),
-         .mutants = {{"uniform-g-warped", "g_N(F(x)): the law of cells in u, not in x",
-                      step_check([density = four_steps()](std::span<const double> samples) {
-                          return density_reweighted_weights_1d(
-                              samples, [&](double x) { return cell_weight(samples.size(), density.invert(x)); },
-                              [&](double x) { return density.pdf(x); });
-                      })},
-                     {"g-of-n-minus-1", "g of N − 1 samples",
-                      step_check([density = four_steps()](std::span<const double> samples) {
-                          return density_reweighted_weights_1d(
-                              samples, [&](double x) { return piecewise_cell_weight(samples.size() - 1, x, density); },
-                              [&](double x) { return density.pdf(x); });
-                      })}}});
+         .trial = {step_check,
+                   [density = four_steps()](std::span<const double> samples) {
+                       return density_reweighted_weights_1d(samples, density);
+                   },
+                   {{"uniform-g-warped", "g_N(F(x)): the law of cells in u, not in x",
+                     [density = four_steps()](std::span<const double> samples) {
+                         return density_reweighted_weights_1d(
+                             samples, [&](double x) { return cell_weight(samples.size(), density.invert(x)); },
+                             [&](double x) { return density.pdf(x); });
+                     }},
+                    {"g-of-n-minus-1", "g of N − 1 samples", [density = four_steps()](std::span<const double> samples) {
+                         return density_reweighted_weights_1d(
+                             samples, [&](double x) { return piecewise_cell_weight(samples.size() - 1, x, density); },
+                             [&](double x) { return density.pdf(x); });
+                     }}}}});
 }
 
 void add_strata_and_batches(Catalogue& catalogue) {
-    const auto check = [=](const Value& value) {
-        return [=](const Run& run) { return unbiased(value, {{16, 0.005}}, {0, 2 * e}, run); };
+    const auto check = [=](const Value& value, const Run& run) {
+        return unbiased(value, {{16, 0.005}}, {0, 2 * e}, run);
     };
     catalogue.add(
         {.id = "reweighting/piecewise-strata/unbiased",
@@ -190,34 +187,37 @@ void add_strata_and_batches(Catalogue& catalogue) {
                       "unbiased: 10 pieces, N = 16.",
          .source = "thesis, section 4.4.4",
          .kind = Kind::mean,
-         .check = check(ten_strata(exponential)),
-         .mutants = {{"counts-drawn", "counts of i.i.d. samples: empty strata are lost, −18.5 %", check(counts_drawn)},
-                     {"last-piece-cut", "the last piece ends at 0.99",
-                      check(ten_strata([](const Point<1>& x) { return x[0] < 0.99 ? std::exp(x[0]) : 0; }))}}});
-    const auto batch_check = [=](const Value& value) {
-        return [=](const Run& run) { return unbiased(value, {{16, 0.0018}}, {0, 2 * e}, run); };
+         .trial = {check,
+                   ten_strata(exponential),
+                   {{"counts-drawn", "counts of i.i.d. samples: empty strata are lost, −18.5 %", counts_drawn},
+                    {"last-piece-cut", "the last piece ends at 0.99",
+                     ten_strata([](const Point<1>& x) { return x[0] < 0.99 ? std::exp(x[0]) : 0; })}}}});
+    const auto batch_check = [=](const Value& value, const Run& run) {
+        return unbiased(value, {{16, 0.0018}}, {0, 2 * e}, run);
     };
-    catalogue.add(
-        {.id = "reweighting/batches/unbiased",
-         .statement = "The mean of four reweighted batches of four samples is unbiased.",
-         .source = "thesis, section 4.5.1",
-         .kind = Kind::mean,
-         .check = batch_check([](std::uint64_t n, RandomStream& random) { return four_batches(n, random).value; }),
-         .mutants = {{"consistent-weights", "batches weighted by the cells alone: averaging keeps their bias",
-                      batch_check([](std::uint64_t n, RandomStream& random) {
-                          return mean_of_batches([](std::uint64_t size,
-                                                    RandomStream& r) { return Estimate{.value = voronoi(size, r)}; },
-                                                 n, 4, random)
-                              .value;
-                      })}}});
+    catalogue.add({.id = "reweighting/batches/unbiased",
+                   .statement = "The mean of four reweighted batches of four samples is unbiased.",
+                   .source = "thesis, section 4.5.1",
+                   .kind = Kind::mean,
+                   .trial = {batch_check,
+                             [](std::uint64_t n, RandomStream& random) { return four_batches(n, random).value; },
+                             {{"consistent-weights", "batches weighted by the cells alone: averaging keeps their bias",
+                               [](std::uint64_t n, RandomStream& random) {
+                                   return mean_of_batches(
+                                              [](std::uint64_t size, RandomStream& r) {
+                                                  return Estimate{.value = voronoi(size, r)};
+                                              },
+                                              n, 4, random)
+                                       .value;
+                               }}}}});
     catalogue.add(
         {.id = "reweighting/batches/error-bar",
          .statement = "The squared standard error of four batches is in the mean the squared error of their mean.",
          .source = "ours, estimators/replicates/batches.h",
          .kind = Kind::mean,
-         .check = [](const Run& run) { return error_bar_is_true(1, run); },
-         .mutants = {{"divided-by-n", "variance over n in place of n − 1: a quarter too small",
-                      [](const Run& run) { return error_bar_is_true(std::sqrt(0.75), run); }}}});
+         .trial = {error_bar_is_true,
+                   1,
+                   {{"divided-by-n", "variance over n in place of n − 1: a quarter too small", std::sqrt(0.75)}}}});
 }
 
 }  // namespace

@@ -44,23 +44,18 @@ double integral_by_midpoints(const Function<2>& f) {
     return sum / (side * side);
 }
 
-Check g_integrates_to_1(double exponent_of_4) {
-    return [=](const Run&) {
-        const BallMeasure ball{[=](const Point<2>& y, double radius) {
-            return -std::expm1(exponent_of_4 / 3 * std::log1p(-disk_rectangle_area(y, radius)));
-        }};
-        const double integral = integral_by_midpoints(CellWeightTable2D(4, ball, 13));
-        return within_bound({{fmt::format("the integral of g is {}", integral), std::abs(integral - 1)}}, 1e-4,
-                            "absolute");
-    };
+Verdict g_integrates_to_1(double exponent_of_4) {
+    const BallMeasure ball{[=](const Point<2>& y, double radius) {
+        return -std::expm1(exponent_of_4 / 3 * std::log1p(-disk_rectangle_area(y, radius)));
+    }};
+    const double integral = integral_by_midpoints(CellWeightTable2D(4, ball, 13));
+    return within_bound({{fmt::format("the integral of g is {}", integral), std::abs(integral - 1)}}, 1e-4, "absolute");
 }
 
-Check clipped_mean_is(const Function<2>& g) {
-    return [=](const Run& run) {
-        const double predicted = integral_by_midpoints([&](const Point<2>& x) { return g(x) * exp_sum(x); });
-        const MeanClaim claim{.reference = predicted, .delta = 0.014, .epsilon = 3e-4, .bounds = exp_sum_bounds};
-        return mean_is(weighted(exp_sum, 4, voronoi_areas), claim, run);
-    };
+Verdict clipped_mean_is(const Function<2>& g, const Run& run) {
+    const double predicted = integral_by_midpoints([&](const Point<2>& x) { return g(x) * exp_sum(x); });
+    const MeanClaim claim{.reference = predicted, .delta = 0.014, .epsilon = 3e-4, .bounds = exp_sum_bounds};
+    return mean_is(weighted(exp_sum, 4, voronoi_areas), claim, run);
 }
 
 Weigh divided_by(const Function<2>& g) {
@@ -74,16 +69,12 @@ std::vector<double> normalised(std::span<const Point<2>> x) {
     return weights;
 }
 
-Check reweighted_unbiased(const Weigh& weigh) {
-    return [=](const Run& run) {
-        // weights ≥ 0 with a sum of at most 1/min g = 1/0.4532…; epsilon is the table's error over min g, times the
-        // integral
-        const MeanClaim claim{.reference = exp_sum_integral,
-                              .delta = 0.0085,
-                              .epsilon = 1.2e-3,
-                              .bounds = {0, exp_sum_bounds.high / 0.45}};
-        return mean_is(weighted(exp_sum, 2, weigh), claim, run);
-    };
+Verdict reweighted_unbiased(const Weigh& weigh, const Run& run) {
+    // weights ≥ 0 with a sum of at most 1/min g = 1/0.4532…; epsilon is the table's error over min g, times the
+    // integral
+    const MeanClaim claim{
+        .reference = exp_sum_integral, .delta = 0.0085, .epsilon = 1.2e-3, .bounds = {0, exp_sum_bounds.high / 0.45}};
+    return mean_is(weighted(exp_sum, 2, weigh), claim, run);
 }
 
 // p = 3/2 on the left half of the square, 1/2 on the right.
@@ -106,19 +97,23 @@ double two_piece_g(const Point<2>& x) {
     return g(x);
 }
 
-Check density_unbiased(const Function<2>& g, const Function<2>& pdf, double largest_weight) {
-    return [=](const Run& run) {
-        const auto draw = [=](RandomStream& random) {
-            Samples x = independent_points<2>(3, random);
-            for (Point<2>& u : x) u = two_piece_sample(u);
-            return weighted_sum(exp_sum, x, reweighted_weights_2d(x, g, pdf)).value;
-        };
-        const MeanClaim claim{.reference = exp_sum_integral,
-                              .delta = 0.05,
-                              .epsilon = 1.5e-3,
-                              .bounds = {0, exp_sum_bounds.high * largest_weight}};
-        return mean_is(draw, claim, run);
+// Weights |V|/(g p); their sum is at most `largest_weight`.
+struct Division {
+    Function<2> g, pdf;
+    double largest_weight;
+};
+
+Verdict density_unbiased(const Division& by, const Run& run) {
+    const auto draw = [=](RandomStream& random) {
+        Samples x = independent_points<2>(3, random);
+        for (Point<2>& u : x) u = two_piece_sample(u);
+        return weighted_sum(exp_sum, x, reweighted_weights_2d(x, by.g, by.pdf)).value;
     };
+    const MeanClaim claim{.reference = exp_sum_integral,
+                          .delta = 0.05,
+                          .epsilon = 1.5e-3,
+                          .bounds = {0, exp_sum_bounds.high * by.largest_weight}};
+    return mean_is(draw, claim, run);
 }
 
 }  // namespace
@@ -129,27 +124,27 @@ void add_reweighting_2d_expected_cell_claims(Catalogue& catalogue) {
         .statement = "The tabulated g of 4 uniform samples in the square integrates to 1, because their cells fill it.",
         .source = "ours, estimators/reweighting/cell_weight_2d.h",
         .kind = Kind::bounded,
-        .check = g_integrates_to_1(3),
-        .mutants = {{"exponent-n", "the ball must miss N samples instead of N-1", g_integrates_to_1(4)}},
+        .trial = {g_integrates_to_1, 3, {{"exponent-n", "the ball must miss N samples instead of N-1", 4}}},
     });
     catalogue.add({
         .id = "reweighting/2d-voronoi/biased-by-g",
         .statement = "Clipped Voronoi weights of 4 independent samples estimate the integral of g f, not of f.",
         .source = "thesis, eq. 4.5, carried to two dimensions in estimators/reweighting/cell_weight_2d.h",
         .kind = Kind::mean,
-        .check = clipped_mean_is(g_of_4),
-        .mutants = {{"unbiased", "the consistent estimator called unbiased: 0.042 too high", clipped_mean_is(one)}},
+        .trial = {clipped_mean_is,
+                  g_of_4,
+                  {{"unbiased", "the consistent estimator called unbiased: 0.042 too high", one}}},
     });
     catalogue.add({
         .id = "reweighting/2d-general-g/unbiased",
         .statement = "Clipped Voronoi weights over g integrate e^(x+y) without bias from 2 independent samples.",
         .source = "ours, estimators/reweighting/cell_weight_2d.h; in one dimension thesis, eq. 4.8",
         .kind = Kind::mean,
-        .check = reweighted_unbiased(divided_by(g_of_2)),
-        .mutants = {{"normalised", "|V|/g scaled to sum to 1: bias -0.021", reweighted_unbiased(normalised)},
-                    {"n-minus-1", "g of one sample fewer, which is 1: bias -0.035", reweighted_unbiased(voronoi_areas)},
-                    {"product", "g as the product of one-dimensional ones: bias +0.13",
-                     reweighted_unbiased(divided_by(product_of_1d(2)))}},
+        .trial = {reweighted_unbiased,
+                  divided_by(g_of_2),
+                  {{"normalised", "|V|/g scaled to sum to 1: bias -0.021", normalised},
+                   {"n-minus-1", "g of one sample fewer, which is 1: bias -0.035", voronoi_areas},
+                   {"product", "g as the product of one-dimensional ones: bias +0.13", divided_by(product_of_1d(2))}}},
     });
     catalogue.add({
         .id = "reweighting/2d-general-g/unbiased-density",
@@ -158,9 +153,10 @@ void add_reweighting_2d_expected_cell_claims(Catalogue& catalogue) {
             "is not uniform.",
         .source = "ours, estimators/reweighting/cell_weight_2d.h",
         .kind = Kind::mean,
-        .check = density_unbiased(two_piece_g, two_piece_pdf, 7),
-        .mutants = {{"uniform-g", "g of uniform samples: 4.7 % too bright", density_unbiased(g_of_3, two_piece_pdf, 7)},
-                    {"without-p", "not divided by the density", density_unbiased(two_piece_g, one, 4)}},
+        .trial = {density_unbiased,
+                  {two_piece_g, two_piece_pdf, 7},
+                  {{"uniform-g", "g of uniform samples: 4.7 % too bright", {g_of_3, two_piece_pdf, 7}},
+                   {"without-p", "not divided by the density", {two_piece_g, one, 4}}}},
     });
 }
 

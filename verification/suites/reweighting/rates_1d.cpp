@@ -96,6 +96,13 @@ struct RateClaim {
     Sizes sizes = Sizes::both;
 };
 
+// What is measured, by how many replicates, and its name in the report.
+struct Measured {
+    std::string name;
+    Subject subject;
+    Range range;
+};
+
 struct RateMutant {
     std::string id, defect;
     Subject subject;
@@ -103,20 +110,19 @@ struct RateMutant {
 
 void add(Catalogue& catalogue, RateClaim claim, const std::vector<RateMutant>& mutants) {
     if (!claim.subject) claim.subject = shipped(claim.estimator);
-    const auto check = [claim](const Subject& subject, const Range& range, const std::string& name) {
-        return [=](const Run& run) {
-            return slope_is(claim.exponent, claim.margin, subject, claim.problem, range, run, name);
-        };
-    };
-    Claim added{.id = claim.id,
-                .statement = claim.statement,
-                .source = claim.source,
-                .kind = Kind::rate,
-                .check = check(claim.subject, claim.range, claim.estimator),
-                .sizes = claim.sizes};
-    for (const RateMutant& mutant : mutants)
-        added.mutants.push_back({mutant.id, mutant.defect, check(mutant.subject, mutant_range, mutant.id)});
-    catalogue.add(std::move(added));
+    std::vector<Wrong<Measured>> wrong;
+    for (const auto& [id, defect, subject] : mutants) wrong.push_back({id, defect, {id, subject, mutant_range}});
+    catalogue.add({.id = claim.id,
+                   .statement = claim.statement,
+                   .source = claim.source,
+                   .kind = Kind::rate,
+                   .trial = {[claim](const Measured& measured, const Run& run) {
+                                 return slope_is(claim.exponent, claim.margin, measured.subject, claim.problem,
+                                                 measured.range, run, measured.name);
+                             },
+                             {claim.estimator, claim.subject, claim.range},
+                             std::move(wrong)},
+                   .sizes = claim.sizes});
 }
 
 void add_slow(Catalogue& catalogue) {

@@ -21,16 +21,19 @@ struct RateSubject {
     double truth;
 };
 
-Check falls_as(const RateSubject& subject, const Weigh& weigh, std::vector<std::uint64_t> n, std::uint64_t replicates,
-               double exponent) {
-    return [=](const Run& run) {
-        const Replicate replicate = [=](std::uint64_t count, RandomStream& random) {
-            const Samples x = independent_points<2>(count, random);
-            return weighted_sum(subject.f, x, weigh(x));
-        };
-        return rate_is(replicate, {subject.estimator, subject.integrand, subject.truth, n, replicates},
-                       {exponent - 0.2, exponent + 0.2}, run);
+struct Weighted {
+    RateSubject of;
+    Weigh weigh;
+};
+
+Verdict falls_as(const RateSubject& subject, const Weigh& weigh, std::vector<std::uint64_t> n, std::uint64_t replicates,
+                 double exponent, const Run& run) {
+    const Replicate replicate = [=](std::uint64_t count, RandomStream& random) {
+        const Samples x = independent_points<2>(count, random);
+        return weighted_sum(subject.f, x, weigh(x));
     };
+    return rate_is(replicate, {subject.estimator, subject.integrand, subject.truth, n, replicates},
+                   {exponent - 0.2, exponent + 0.2}, run);
 }
 
 std::vector<double> equal_weights(std::span<const Point<2>> samples) {
@@ -55,9 +58,10 @@ void add_reweighting_2d_rate_claims(Catalogue& catalogue) {
         .statement = "The MSE of torus weights falls as N^-1.5 where the periodic extension jumps.",
         .source = "ours: -1 - (1 + 2k)/D, estimators/reweighting/reweighting_estimators_2d.cpp",
         .kind = Kind::rate,
-        .check = falls_as(torus, voronoi_areas_periodic, small, 1500, -1.5),
-        .mutants = {{"equal-weights", "weights 1/N: -1", falls_as(torus, equal_weights, small, 1500, -1.5)},
-                    {"clipped", "clipped cells: -2 and steeper", falls_as(torus, voronoi_areas, small, 1500, -1.5)}},
+        .trial = {[=](const Weigh& weigh, const Run& run) { return falls_as(torus, weigh, small, 1500, -1.5, run); },
+                  voronoi_areas_periodic,
+                  {{"equal-weights", "weights 1/N: -1", equal_weights},
+                   {"clipped", "clipped cells: -2 and steeper", voronoi_areas}}},
     });
     const RateSubject tent_plane{"torus-tent", "x+2y", [](const Point<2>& u) { return plane(tent(u)); }, 1.5};
     const RateSubject one_axis{"torus-tent", "x+2y", [](const Point<2>& u) { return plane({tent(u[0]), u[1]}); }, 1.5};
@@ -66,9 +70,11 @@ void add_reweighting_2d_rate_claims(Catalogue& catalogue) {
         .statement = "The MSE of torus weights under the tent map falls as N^-2.5: the tent leaves a kink.",
         .source = "ours: -1 - (1 + 2k)/D, estimators/reweighting/reweighting_estimators_2d.cpp",
         .kind = Kind::rate,
-        .check = falls_as(tent_plane, voronoi_areas_periodic, middle, 2000, -2.5),
-        .mutants = {{"one-axis", "the tent on one axis leaves the jump of the other: -1.5",
-                     falls_as(one_axis, voronoi_areas_periodic, middle, 2000, -2.5)}},
+        .trial = {[=](const RateSubject& subject, const Run& run) {
+                      return falls_as(subject, voronoi_areas_periodic, middle, 2000, -2.5, run);
+                  },
+                  tent_plane,
+                  {{"one-axis", "the tent on one axis leaves the jump of the other: -1.5", one_axis}}},
     });
     const RateSubject tent_exp{"torus-tent", "e^(x+y)", tented, exp_sum_integral};
     catalogue.add({
@@ -76,8 +82,11 @@ void add_reweighting_2d_rate_claims(Catalogue& catalogue) {
         .statement = "The MSE of torus weights under the tent map falls as N^-2.5 for e^(x+y).",
         .source = "ours: -1 - (1 + 2k)/D, estimators/reweighting/reweighting_estimators_2d.cpp",
         .kind = Kind::rate,
-        .check = falls_as(tent_exp, voronoi_areas_periodic, large, 2000, -2.5),
-        .mutants = {{"no-tent", "without the tent: -1.5", falls_as(torus, voronoi_areas_periodic, large, 2000, -2.5)}},
+        .trial = {[=](const RateSubject& subject, const Run& run) {
+                      return falls_as(subject, voronoi_areas_periodic, large, 2000, -2.5, run);
+                  },
+                  tent_exp,
+                  {{"no-tent", "without the tent: -1.5", torus}}},
         .sizes = Sizes::full_only,
     });
     const RateSubject smooth{"torus", "1+(cos 2πx + sin 2πy)/2", wave, 1};
@@ -86,10 +95,12 @@ void add_reweighting_2d_rate_claims(Catalogue& catalogue) {
         .statement = "The MSE of torus weights falls as N^-3 for an integrand that is smooth on the torus.",
         .source = "ours: -1 - 4/D, estimators/reweighting/reweighting_estimators_2d.cpp",
         .kind = Kind::rate,
-        .check = falls_as(smooth, voronoi_areas_periodic, large, 2000, -3),
-        .mutants = {{"equal-weights", "weights 1/N: -1", falls_as(smooth, equal_weights, large, 2000, -3)},
-                    {"jump", "an integrand that jumps on the torus: -1.5",
-                     falls_as(torus, voronoi_areas_periodic, large, 2000, -3)}},
+        .trial = {[=](const Weighted& subject, const Run& run) {
+                      return falls_as(subject.of, subject.weigh, large, 2000, -3, run);
+                  },
+                  {smooth, voronoi_areas_periodic},
+                  {{"equal-weights", "weights 1/N: -1", {smooth, equal_weights}},
+                   {"jump", "an integrand that jumps on the torus: -1.5", {torus, voronoi_areas_periodic}}}},
         .sizes = Sizes::full_only,
     });
 }

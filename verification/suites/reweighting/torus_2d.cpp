@@ -11,10 +11,8 @@
 namespace plumb::suites {
 namespace {
 
-Check unbiased(const Function<2>& f, std::uint64_t n, const Weigh& weigh, double delta) {
-    return [draw = weighted(f, n, weigh), delta](const Run& run) {
-        return mean_is(draw, {.reference = exp_sum_integral, .delta = delta, .bounds = exp_sum_bounds}, run);
-    };
+Verdict unbiased(const Draw& draw, double delta, const Run& run) {
+    return mean_is(draw, {.reference = exp_sum_integral, .delta = delta, .bounds = exp_sum_bounds}, run);
 }
 
 double tented(const Point<2>& u) {
@@ -29,15 +27,13 @@ double half_tented(const Point<2>& u) {
 }
 
 /// The area of the cell of a sample at a fixed place among n − 1 uniform ones.
-Check mean_cell_is_one_in_n(const Weigh& weigh) {
-    return [=](const Run& run) {
-        const auto cell = [=](RandomStream& random) {
-            Samples x = independent_points<2>(4, random);
-            x[0] = {0.1, 0.3};
-            return weigh(x)[0];
-        };
-        return mean_is(cell, {.reference = 0.25, .delta = 0.01, .bounds = {0, 1}}, run);
+Verdict mean_cell_is_one_in_n(const Weigh& weigh, const Run& run) {
+    const auto cell = [=](RandomStream& random) {
+        Samples x = independent_points<2>(4, random);
+        x[0] = {0.1, 0.3};
+        return weigh(x)[0];
     };
+    return mean_is(cell, {.reference = 0.25, .delta = 0.01, .bounds = {0, 1}}, run);
 }
 
 using Shift = Samples (*)(Samples, RandomStream&);
@@ -48,14 +44,17 @@ Samples first_axis_shifted(Samples points, RandomStream& random) {
     return points;
 }
 
-Check unbiased_after_shift(Shift shift, const Weigh& weigh) {
-    return [=](const Run& run) {
-        const auto draw = [=](RandomStream& random) {
-            const Samples x = shift({{0.1, 0.1}, {0.15, 0.1}, {0.1, 0.3}, {0.6, 0.65}}, random);
-            return weighted_sum(exp_sum, x, weigh(x)).value;
-        };
-        return mean_is(draw, {.reference = exp_sum_integral, .delta = 0.02, .bounds = exp_sum_bounds}, run);
+struct Shifted {
+    Shift shift;
+    Weigh weigh;
+};
+
+Verdict unbiased_after_shift(const Shifted& subject, const Run& run) {
+    const auto draw = [&, shift = subject.shift, weigh = subject.weigh](RandomStream& random) {
+        const Samples x = shift({{0.1, 0.1}, {0.15, 0.1}, {0.1, 0.3}, {0.6, 0.65}}, random);
+        return weighted_sum(exp_sum, x, weigh(x)).value;
     };
+    return mean_is(draw, {.reference = exp_sum_integral, .delta = 0.02, .bounds = exp_sum_bounds}, run);
 }
 
 }  // namespace
@@ -67,21 +66,22 @@ void add_reweighting_2d_torus_claims(Catalogue& catalogue) {
             "Torus weights of 4 independent samples integrate e^(x+y) without bias, though it is not periodic.",
         .source = "ours, estimators/reweighting/reweighting_2d.h; the thesis, A.2, calls the periodic scheme biased",
         .kind = Kind::mean,
-        .check = unbiased(exp_sum, 4, voronoi_areas_periodic, 0.014),
-        .mutants = {{"clipped", "clipped cells called unbiased: bias -0.042",
-                     unbiased(exp_sum, 4, voronoi_areas, 0.014)},
-                    {"copies-missing-on-the-left", "periodic copies are added on three sides only",
-                     unbiased(exp_sum, 4, copies_missing_on_the_left, 0.014)}},
+        .trial = {[](const Draw& draw, const Run& run) { return unbiased(draw, 0.014, run); },
+                  weighted(exp_sum, 4, voronoi_areas_periodic),
+                  {{"clipped", "clipped cells called unbiased: bias -0.042", weighted(exp_sum, 4, voronoi_areas)},
+                   {"copies-missing-on-the-left", "periodic copies are added on three sides only",
+                    weighted(exp_sum, 4, copies_missing_on_the_left)}}},
     });
     catalogue.add({
         .id = "reweighting/2d-torus/mean-cell",
         .statement = "The cell of a sample at a fixed place on the torus, among 3 uniform ones, has the mean area 1/4.",
         .source = "ours, estimators/reweighting/reweighting_2d.h",
         .kind = Kind::mean,
-        .check = mean_cell_is_one_in_n(voronoi_areas_periodic),
-        .mutants = {{"clipped", "clipped cells: bias -0.032", mean_cell_is_one_in_n(voronoi_areas)},
-                    {"diagonal-copies-missing", "periodic copies only to the left, right, below and above",
-                     mean_cell_is_one_in_n(diagonal_copies_missing)}},
+        .trial = {mean_cell_is_one_in_n,
+                  voronoi_areas_periodic,
+                  {{"clipped", "clipped cells: bias -0.032", voronoi_areas},
+                   {"diagonal-copies-missing", "periodic copies only to the left, right, below and above",
+                    diagonal_copies_missing}}},
     });
     catalogue.add({
         .id = "reweighting/2d-torus-tent/unbiased",
@@ -89,12 +89,13 @@ void add_reweighting_2d_torus_claims(Catalogue& catalogue) {
                      "without bias.",
         .source = "ours, estimators/reweighting/reweighting_2d.h",
         .kind = Kind::mean,
-        .check = unbiased(tented, 4, voronoi_areas_periodic, 0.04),
-        .mutants = {{"without-factor", "the tent without its factor 2 covers a quarter of the square: bias -1.27",
-                     unbiased(half_tented, 4, voronoi_areas_periodic, 0.04)},
-                    {"sine", "a smooth fold in place of the tent, without its Jacobian: bias +0.122",
-                     unbiased(sine_tented, 4, voronoi_areas_periodic, 0.04)},
-                    {"clipped", "clipped cells under the tent: bias +0.31", unbiased(tented, 4, voronoi_areas, 0.04)}},
+        .trial = {[](const Draw& draw, const Run& run) { return unbiased(draw, 0.04, run); },
+                  weighted(tented, 4, voronoi_areas_periodic),
+                  {{"without-factor", "the tent without its factor 2 covers a quarter of the square: bias -1.27",
+                    weighted(half_tented, 4, voronoi_areas_periodic)},
+                   {"sine", "a smooth fold in place of the tent, without its Jacobian: bias +0.122",
+                    weighted(sine_tented, 4, voronoi_areas_periodic)},
+                   {"clipped", "clipped cells under the tent: bias +0.31", weighted(tented, 4, voronoi_areas)}}},
     });
     catalogue.add({
         .id = "reweighting/2d-shifted-torus/unbiased",
@@ -102,13 +103,15 @@ void add_reweighting_2d_torus_claims(Catalogue& catalogue) {
                      "e^(x+y) without bias.",
         .source = "ours, estimators/reweighting/reweighting_2d.h",
         .kind = Kind::mean,
-        .check = unbiased_after_shift(random_shift<2>, voronoi_areas_periodic),
-        .mutants = {{"no-shift", "the points stay where they are",
-                     unbiased_after_shift([](Samples x, RandomStream&) { return x; }, voronoi_areas_periodic)},
-                    {"one-axis", "the points are shifted along the first axis only",
-                     unbiased_after_shift(first_axis_shifted, voronoi_areas_periodic)},
-                    {"clipped", "clipped cells after the shift: bias -0.058",
-                     unbiased_after_shift(random_shift<2>, voronoi_areas)}},
+        .trial = {unbiased_after_shift,
+                  {random_shift<2>, voronoi_areas_periodic},
+                  {{"no-shift",
+                    "the points stay where they are",
+                    {[](Samples x, RandomStream&) { return x; }, voronoi_areas_periodic}},
+                   {"one-axis",
+                    "the points are shifted along the first axis only",
+                    {first_axis_shifted, voronoi_areas_periodic}},
+                   {"clipped", "clipped cells after the shift: bias -0.058", {random_shift<2>, voronoi_areas}}}},
     });
 }
 

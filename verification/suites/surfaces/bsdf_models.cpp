@@ -253,31 +253,37 @@ std::vector<Model> models() {
     };
 }
 
+/// The model of the middle roughness alone, with the defect.
+Subjects with_defect(const Subjects& right, const Defect& apply) {
+    return [=](const Run& run) {
+        const std::vector<Subject> all = right(run);
+        Subject subject = all[all.size() / 2];
+        subject.bsdf = apply(subject);
+        return std::vector<Subject>{subject};
+    };
+}
+
+void add(Catalogue& catalogue, const Model& model, const PropertyOfAll& property) {
+    std::vector<Wrong<Subjects>> wrong;
+    for (const NamedDefect& defect : model.defects)
+        if (defect.property == property.id)
+            wrong.push_back({defect.id, defect.sentence, with_defect(model.subjects, defect.apply)});
+    catalogue.add({.id = fmt::format("bsdf/{}/{}", model.id, property.id),
+                   .statement = fmt::format("{}: {}.", model.title, property.statement),
+                   .source = model.source,
+                   .kind = property.kind,
+                   .trial = {[check = property.check](const Subjects& subjects, const Run& run) {
+                                 return on_all(subjects(run), check, run);
+                             },
+                             model.subjects, std::move(wrong)}});
+}
+
 }  // namespace
 
 void add_bsdf_model_claims(Catalogue& catalogue) {
     for (const Model& model : models())
-        for (const PropertyOfAll& property : properties()) {
-            if (!std::ranges::count(model.properties, property.id)) continue;
-            Claim claim{.id = fmt::format("bsdf/{}/{}", model.id, property.id),
-                        .statement = fmt::format("{}: {}.", model.title, property.statement),
-                        .source = model.source,
-                        .kind = property.kind,
-                        .check = [subjects = model.subjects, check = property.check](const Run& run) {
-                            return on_all(subjects(run), check, run);
-                        }};
-            for (const NamedDefect& defect : model.defects)
-                if (defect.property == property.id)
-                    claim.mutants.push_back(
-                        {defect.id, defect.sentence,
-                         [subjects = model.subjects, check = property.check, apply = defect.apply](const Run& run) {
-                             std::vector<Subject> all = subjects(run);
-                             Subject subject = all[all.size() / 2];
-                             subject.bsdf = apply(subject);
-                             return on_all({subject}, check, run);
-                         }});
-            catalogue.add(std::move(claim));
-        }
+        for (const PropertyOfAll& property : properties())
+            if (std::ranges::count(model.properties, property.id)) add(catalogue, model, property);
 }
 
 }  // namespace plumb::suites

@@ -195,71 +195,54 @@ void add_fresnel(Catalogue& catalogue) {
              "both sides of the critical angle.",
          .source = "Born & Wolf 1999, 1.5.2; ours, scenes/bsdfs/fresnel.cpp",
          .kind = Kind::bounded,
-         .check =
-             [](const Run&) {
-                 return dielectric_is([](double c, double eta) { return fresnel_dielectric(c, eta).reflectance; });
-             },
-         .mutants = {{"textbook", "The textbook's formula in doubles.",
-                      [](const Run&) {
-                          return dielectric_is(
-                              [](double c, double eta) { return textbook_dielectric<double>(c, eta).reflectance; });
-                      }},
-                     {"cosines-swapped", "The two cosines change places.",
-                      [](const Run&) {
-                          return dielectric_is([](double c, double eta) {
-                              const DielectricFresnel right = fresnel_dielectric(c, eta);
-                              return fresnel_dielectric(right.cos_t, eta).reflectance;
-                          });
-                      }},
-                     {"index-inverted", "The index of the near side over that of the far side.", [](const Run&) {
-                          return dielectric_is(
-                              [](double c, double eta) { return fresnel_dielectric(c, 1 / eta).reflectance; });
-                      }}}});
-    catalogue.add(
-        {.id = "bsdf/fresnel/conductor",
-         .statement = "A conductor's reflectance is good to 24 ulp at grazing incidence, at nearly equal indices and "
-                      "with next to no absorption.",
-         .source = "Born & Wolf 1999, 14.2; ours, scenes/bsdfs/fresnel.cpp",
-         .kind = Kind::bounded,
-         .check =
-             [](const Run&) {
-                 return conductor_is([](double c, double eta, double k) { return fresnel_conductor(c, eta, k); });
-             },
-         .mutants = {{"textbook", "The textbook's formula in doubles.",
-                      [](const Run&) { return conductor_is(textbook_conductor<double>); }},
-                     {"schlick", "Schlick's approximation.", [](const Run&) {
-                          return conductor_is([](double c, double eta, double k) {
-                              const double normal = fresnel_conductor(1, eta, k);
-                              return normal + (1 - normal) * std::pow(1 - c, 5);
-                          });
-                      }}}});
+         .trial = {dielectric_is,
+                   [](double c, double eta) { return fresnel_dielectric(c, eta).reflectance; },
+                   {{"textbook", "The textbook's formula in doubles.",
+                     [](double c, double eta) { return textbook_dielectric<double>(c, eta).reflectance; }},
+                    {"cosines-swapped", "The two cosines change places.",
+                     [](double c, double eta) {
+                         const DielectricFresnel right = fresnel_dielectric(c, eta);
+                         return fresnel_dielectric(right.cos_t, eta).reflectance;
+                     }},
+                    {"index-inverted", "The index of the near side over that of the far side.",
+                     [](double c, double eta) { return fresnel_dielectric(c, 1 / eta).reflectance; }}}}});
+    catalogue.add({.id = "bsdf/fresnel/conductor",
+                   .statement =
+                       "A conductor's reflectance is good to 24 ulp at grazing incidence, at nearly equal indices and "
+                       "with next to no absorption.",
+                   .source = "Born & Wolf 1999, 14.2; ours, scenes/bsdfs/fresnel.cpp",
+                   .kind = Kind::bounded,
+                   .trial = {conductor_is,
+                             [](double c, double eta, double k) { return fresnel_conductor(c, eta, k); },
+                             {{"textbook", "The textbook's formula in doubles.", textbook_conductor<double>},
+                              {"schlick", "Schlick's approximation.", [](double c, double eta, double k) {
+                                   const double normal = fresnel_conductor(1, eta, k);
+                                   return normal + (1 - normal) * std::pow(1 - c, 5);
+                               }}}}});
     catalogue.add({.id = "bsdf/fresnel/mean",
                    .statement = "The closed form of a dielectric's mean reflectance is its integral, from both sides.",
                    .source = "Duntley 1942; d'Eon & Irving 2011",
                    .kind = Kind::bounded,
-                   .check = [](const Run&) { return mean_is_integral(mean_fresnel_dielectric); },
-                   .mutants = {{"one-side", "The mean from outside on both sides.", [](const Run&) {
-                                    return mean_is_integral(
-                                        [](double eta) { return mean_fresnel_dielectric(std::max(eta, 1 / eta)); });
-                                }}}});
+                   .trial = {mean_is_integral,
+                             mean_fresnel_dielectric,
+                             {{"one-side", "The mean from outside on both sides.",
+                               [](double eta) { return mean_fresnel_dielectric(std::max(eta, 1 / eta)); }}}}});
 }
 
-void add_microfacets(Catalogue& catalogue, MicrofacetShape shape, const std::string& name, Mutant masking,
-                     Mutant distribution) {
+void add_microfacets(Catalogue& catalogue, MicrofacetShape shape, const std::string& name, const Wrong<Term>& masking,
+                     const Wrong<Term>& distribution) {
     catalogue.add(
         {.id = fmt::format("bsdf/microfacets-{}/masking", name),
          .statement = "Smith's masking is good to 16 ulp from the horizon to the normal, at roughness 1e-4 to 1.",
          .source = "Heitz 2014",
          .kind = Kind::bounded,
-         .check = [=](const Run&) { return term_is(shape, g1_towards_normal, true); },
-         .mutants = {std::move(masking)}});
+         .trial = {[=](const Term& found) { return term_is(shape, found, true); }, g1_towards_normal, {masking}}});
     catalogue.add({.id = fmt::format("bsdf/microfacets-{}/density", name),
                    .statement = "The density of normals is good to 128 ulp within 5 roughnesses of the normal, at "
                                 "roughness 1e-4 to 1.",
                    .source = "Walter et al. 2007, eq. 25, 33",
                    .kind = Kind::bounded,
-                   .check = [=](const Run&) { return term_is(shape, d_at, false); },
-                   .mutants = {std::move(distribution)}});
+                   .trial = {[=](const Term& found) { return term_is(shape, found, false); }, d_at, {distribution}}});
 }
 
 }  // namespace
@@ -267,16 +250,11 @@ void add_microfacets(Catalogue& catalogue, MicrofacetShape shape, const std::str
 void add_bsdf_term_claims(Catalogue& catalogue) {
     add_fresnel(catalogue);
     constexpr auto ggx = MicrofacetShape::ggx, beckmann = MicrofacetShape::beckmann;
-    add_microfacets(catalogue, ggx, "ggx",
-                    {"beckmann", "The masking of Beckmann's distribution.",
-                     [](const Run&) { return term_is(ggx, g1_of_beckmann, true); }},
-                    {"by-height", "The slope from 1 − cos², which cancels near the normal.",
-                     [](const Run&) { return term_is(ggx, d_by_height, false); }});
+    add_microfacets(catalogue, ggx, "ggx", {"beckmann", "The masking of Beckmann's distribution.", g1_of_beckmann},
+                    {"by-height", "The slope from 1 − cos², which cancels near the normal.", d_by_height});
     add_microfacets(catalogue, beckmann, "beckmann",
-                    {"fitted", "A rational fit in place of the exact masking.",
-                     [](const Run&) { return term_is(beckmann, g1_fitted, true); }},
-                    {"cosine-squared", "cos² for cos⁴.",
-                     [](const Run&) { return term_is(beckmann, d_without_fourth_power, false); }});
+                    {"fitted", "A rational fit in place of the exact masking.", g1_fitted},
+                    {"cosine-squared", "cos² for cos⁴.", d_without_fourth_power});
 }
 
 }  // namespace plumb::suites

@@ -206,63 +206,55 @@ Verdict at_all_distances(const Closed& closed, const Run& run, const Count& coun
                                counts.self));
 }
 
-Check closed(const Closed& surface, const Starts& starts) {
-    return [=](const Run& run) {
-        return at_all_distances(surface, run,
-                                [&](const Shape& shape, Vec3 center, int n, RandomStream& random, Counts& counts) {
-                                    walk(shape, center, starts, n, random, counts);
-                                });
-    };
+Verdict closed(const Closed& surface, const Starts& starts, const Run& run) {
+    return at_all_distances(surface, run,
+                            [&](const Shape& shape, Vec3 center, int n, RandomStream& random, Counts& counts) {
+                                walk(shape, center, starts, n, random, counts);
+                            });
 }
 
-Check closed_at_edges(const Closed& surface, const Starts& starts) {
-    return [=](const Run& run) {
-        return at_all_distances(surface, run,
-                                [&](const Shape& shape, Vec3 center, int n, RandomStream& random, Counts& counts) {
-                                    leave_edges(shape, center, starts, 20 * n, random, counts);
-                                });
-    };
+Verdict closed_at_edges(const Closed& surface, const Starts& starts, const Run& run) {
+    return at_all_distances(surface, run,
+                            [&](const Shape& shape, Vec3 center, int n, RandomStream& random, Counts& counts) {
+                                leave_edges(shape, center, starts, 20 * n, random, counts);
+                            });
 }
 
-Check sees_itself(const Closed& surface, const Starts& starts) {
-    return [=](const Run& run) {
-        return at_all_distances(surface, run,
-                                [&](const Shape& shape, Vec3 center, int n, RandomStream& random, Counts& counts) {
-                                    connect_pairs(shape, center, starts, 8 * n, random, counts);
-                                });
-    };
+Verdict sees_itself(const Closed& surface, const Starts& starts, const Run& run) {
+    return at_all_distances(surface, run,
+                            [&](const Shape& shape, Vec3 center, int n, RandomStream& random, Counts& counts) {
+                                connect_pairs(shape, center, starts, 8 * n, random, counts);
+                            });
 }
 
 /// Two plates of side 1, 1e-3 apart: what leaves one inwards meets the other.
-Check gap(const Starts& starts) {
-    return [=](const Run& run) {
-        Counts counts;
-        for (int exponent = 0; exponent <= 12; ++exponent) {
-            RandomStream random = run.random(static_cast<std::uint64_t>(exponent));
-            const double z = std::exp2(exponent);
-            const auto plate = [&](double height) {
-                return shape_of(transformed(rectangle_mesh(),
-                                            Transform::translate({0, 0, height}) * Transform::scale({0.5, 0.5, 0.5})));
-            };
-            const std::array<Shape, 2> plates{plate(z), plate(z + 1e-3)};
-            const EmbreeScene scene(plates);
-            for (int i = 0; i < run.pick(1000, 100'000); ++i) {
-                const Vec3 start{0.9 * random.uniform() - 0.45, 0.9 * random.uniform() - 0.45, z};
-                const bool upwards = random.uniform() < 0.5;
-                const Vec3 down = upwards ? Vec3{0, 0, -1} : Vec3{0, 0, 1};
-                const auto below = scene.intersect(rounded_ray({start.x, start.y, z - down.z}, down));
-                if (!below) continue;
-                const Vec3 inwards = direction_off(down, random);
-                if (std::abs(inwards.z) < 0.1) continue;  // would leave by the side
-                // Through to the plate's other face, and on: from there the other plate is next.
-                const auto met = scene.intersect(starts.leaves(below->point, inwards));
-                ++counts.rays;
-                counts.lost += !met || met->shape == below->shape;
-            }
+Verdict gap(const Starts& starts, const Run& run) {
+    Counts counts;
+    for (int exponent = 0; exponent <= 12; ++exponent) {
+        RandomStream random = run.random(static_cast<std::uint64_t>(exponent));
+        const double z = std::exp2(exponent);
+        const auto plate = [&](double height) {
+            return shape_of(transformed(rectangle_mesh(),
+                                        Transform::translate({0, 0, height}) * Transform::scale({0.5, 0.5, 0.5})));
+        };
+        const std::array<Shape, 2> plates{plate(z), plate(z + 1e-3)};
+        const EmbreeScene scene(plates);
+        for (int i = 0; i < run.pick(1000, 100'000); ++i) {
+            const Vec3 start{0.9 * random.uniform() - 0.45, 0.9 * random.uniform() - 0.45, z};
+            const bool upwards = random.uniform() < 0.5;
+            const Vec3 down = upwards ? Vec3{0, 0, -1} : Vec3{0, 0, 1};
+            const auto below = scene.intersect(rounded_ray({start.x, start.y, z - down.z}, down));
+            if (!below) continue;
+            const Vec3 inwards = direction_off(down, random);
+            if (std::abs(inwards.z) < 0.1) continue;  // would leave by the side
+            // Through to the plate's other face, and on: from there the other plate is next.
+            const auto met = scene.intersect(starts.leaves(below->point, inwards));
+            ++counts.rays;
+            counts.lost += !met || met->shape == below->shape;
         }
-        return exactly(counts.lost == 0, counts.rays,
-                       fmt::format("{} of {} rays passed the other plate", counts.lost, counts.rays));
-    };
+    }
+    return exactly(counts.lost == 0, counts.rays,
+                   fmt::format("{} of {} rays passed the other plate", counts.lost, counts.rays));
 }
 
 // Mutants ------------------------------------------------------------------------------------------------------------
@@ -299,10 +291,9 @@ Ray near_end_not_lifted(const SurfacePoint& from, const SurfacePoint& to) {
     return rounded_ray(origin, target - origin, 1);
 }
 
-}  // namespace
+const std::string source = "ours, scenes/geometry/surface_point.h";
 
-void add_surface_claims(Catalogue& catalogue) {
-    const std::string source = "ours, scenes/geometry/surface_point.h";
+void add_closed(Catalogue& catalogue) {
     struct Subject {
         std::string id, name;
         Closed surface;
@@ -312,57 +303,69 @@ void add_surface_claims(Catalogue& catalogue) {
                                         {"tessellated-sphere", "a sphere of triangles", tessellated_sphere},
                                         {"sphere", "a sphere", analytic_sphere}};
     for (const auto& [id, name, surface] : subjects) {
-        const std::vector<Mutant> mutants{
-            {"no-offset", "a ray starts at the point rounded to floats", closed(surface, {.leaves = no_offset})},
-            {"fixed-epsilon", "a ray starts 1e-4 off the surface wherever it lies",
-             closed(surface, {.leaves = fixed_epsilon(1e-4)})},
-            {"wrong-side", "a ray starts behind the surface that it leaves", closed(surface, {.leaves = wrong_side})}};
-        catalogue.add({.id = "mesh/" + id + "/closed",
-                       .statement = "Every ray from inside " + name +
-                                    " hits it, and none hits the surface that it leaves, up "
-                                    "to 2^12 sizes from the world's origin.",
-                       .source = source,
-                       .kind = Kind::exact,
-                       .check = closed(surface, {}),
-                       .mutants = mutants});
+        catalogue.add(
+            {.id = "mesh/" + id + "/closed",
+             .statement = "Every ray from inside " + name +
+                          " hits it, and none hits the surface that it leaves, up "
+                          "to 2^12 sizes from the world's origin.",
+             .source = source,
+             .kind = Kind::exact,
+             .trial = {[=](const Starts& starts, const Run& run) { return closed(surface, starts, run); },
+                       {},
+                       {{"no-offset", "a ray starts at the point rounded to floats", {.leaves = no_offset}},
+                        {"fixed-epsilon",
+                         "a ray starts 1e-4 off the surface wherever it lies",
+                         {.leaves = fixed_epsilon(1e-4)}},
+                        {"wrong-side", "a ray starts behind the surface that it leaves", {.leaves = wrong_side}}}}});
         if (id == "tessellated-sphere")
             continue;  // rounding its vertices makes it bumpy: neighbours may hide each other
-        catalogue.add({.id = "mesh/" + id + "/sees-itself",
-                       .statement = "Two points of the inside of " + name +
-                                    " see each other, up to 2^12 sizes from the "
-                                    "world's origin: neither end of a shadow ray hides itself.",
-                       .source = source,
-                       .kind = Kind::exact,
-                       .check = sees_itself(surface, {}),
-                       .mutants = {{"far-end-not-lifted", "a shadow ray ends on the surface",
-                                    sees_itself(surface, {.connects = far_end_not_lifted})},
-                                   {"near-end-not-lifted", "a shadow ray starts on the surface",
-                                    sees_itself(surface, {.connects = near_end_not_lifted})}}});
+        catalogue.add(
+            {.id = "mesh/" + id + "/sees-itself",
+             .statement = "Two points of the inside of " + name +
+                          " see each other, up to 2^12 sizes from the "
+                          "world's origin: neither end of a shadow ray hides itself.",
+             .source = source,
+             .kind = Kind::exact,
+             .trial = {
+                 [=](const Starts& starts, const Run& run) { return sees_itself(surface, starts, run); },
+                 {},
+                 {{"far-end-not-lifted", "a shadow ray ends on the surface", {.connects = far_end_not_lifted}},
+                  {"near-end-not-lifted", "a shadow ray starts on the surface", {.connects = near_end_not_lifted}}}}});
     }
-    catalogue.add({.id = "mesh/wedge/edges",
-                   .statement =
-                       "Every ray that leaves a tetrahedron with edges of 54° inwards from beside an edge or a "
-                       "corner, and not along an edge, hits another face, up to 2^12 sizes from the world's origin.",
-                   .source = source,
-                   .kind = Kind::exact,
-                   .check = closed_at_edges(wedge, {}),
-                   .mutants = {{"no-inset", "a ray starts as near to an edge as its point lies",
-                                closed_at_edges(wedge, {.leaves = inset_by(0)})},
-                               {"half-inset", "a ray starts half as far from an edge as it should",
-                                closed_at_edges(wedge, {.leaves = inset_by(0.5)})},
-                               {"no-offset", "a ray starts at the point rounded to floats",
-                                closed_at_edges(wedge, {.leaves = no_offset})},
-                               {"fixed-epsilon", "a ray starts 1e-4 along the normal from the point",
-                                closed_at_edges(wedge, {.leaves = fixed_epsilon(1e-4)})}}});
+}
+
+void add_plates(Catalogue& catalogue) {
     catalogue.add(
-        {.id = "mesh/plates/gap",
-         .statement = "What leaves a plate of side 1 meets the plate 1e-3 away, up to 2^12 sizes from the world's "
-                      "origin.",
+        {.id = "mesh/wedge/edges",
+         .statement = "Every ray that leaves a tetrahedron with edges of 54° inwards from beside an edge or a "
+                      "corner, and not along an edge, hits another face, up to 2^12 sizes from the world's origin.",
          .source = source,
          .kind = Kind::exact,
-         .check = gap({}),
-         .mutants = {{"fixed-epsilon", "a ray starts 2e-3 off the surface", gap({.leaves = fixed_epsilon(2e-3)})},
-                     {"no-offset", "a ray starts at the point rounded to floats", gap({.leaves = no_offset})}}});
+         .trial = {[=](const Starts& starts, const Run& run) { return closed_at_edges(wedge, starts, run); },
+                   {},
+                   {{"no-inset", "a ray starts as near to an edge as its point lies", {.leaves = inset_by(0)}},
+                    {"half-inset", "a ray starts half as far from an edge as it should", {.leaves = inset_by(0.5)}},
+                    {"no-offset", "a ray starts at the point rounded to floats", {.leaves = no_offset}},
+                    {"fixed-epsilon",
+                     "a ray starts 1e-4 along the normal from the point",
+                     {.leaves = fixed_epsilon(1e-4)}}}}});
+    catalogue.add({.id = "mesh/plates/gap",
+                   .statement =
+                       "What leaves a plate of side 1 meets the plate 1e-3 away, up to 2^12 sizes from the world's "
+                       "origin.",
+                   .source = source,
+                   .kind = Kind::exact,
+                   .trial = {gap,
+                             {},
+                             {{"fixed-epsilon", "a ray starts 2e-3 off the surface", {.leaves = fixed_epsilon(2e-3)}},
+                              {"no-offset", "a ray starts at the point rounded to floats", {.leaves = no_offset}}}}});
+}
+
+}  // namespace
+
+void add_surface_claims(Catalogue& catalogue) {
+    add_closed(catalogue);
+    add_plates(catalogue);
 }
 
 }  // namespace plumb::suites

@@ -151,11 +151,10 @@ void add_transport_class_claims(Catalogue& catalogue) {
                        "in 0.1 % of paths; the search misses one that is made with a risk of about e^-60.",
                    .source = "ours, integrators/references/path_classes.h",
                    .kind = Kind::exact,
-                   .check = [](const Run& run) { return classes_are(predicted, run); },
-                   .mutants = {{"lens-sees-mirrors", "`light` connects mirrors to the lens.",
-                                [](const Run& run) { return classes_are(lens_sees_mirrors, run); }},
-                               {"no-caustics-of-points", "`bdpt` makes no more than `path`.",
-                                [](const Run& run) { return classes_are(no_caustics_of_points, run); }}}});
+                   .trial = {classes_are,
+                             predicted,
+                             {{"lens-sees-mirrors", "`light` connects mirrors to the lens.", lens_sees_mirrors},
+                              {"no-caustics-of-points", "`bdpt` makes no more than `path`.", no_caustics_of_points}}}});
 }
 
 }  // namespace plumb::suites

@@ -92,25 +92,20 @@ std::optional<SensorSample> without_importance(const Scene& scene, Vec3 from, co
     if (sample) sample->importance = 1 / (sample->distance * sample->distance);
     return sample;
 }
-struct Defect {
-    std::string id, sentence;
-    Made estimator;
-};
+using Defect = Wrong<Made>;
 
 void add_lengths(Catalogue& catalogue, const std::string& name, const std::string& title, const Sphere& sphere,
                  const Precision& precision, const Made& estimator, const std::vector<Defect>& defects) {
-    const auto check = [=](const Made& subject) {
-        return [=](const Run& run) { return lengths_are(sphere, *subject, precision, run); };
+    const auto check = [=](const Made& subject, const Run& run) {
+        return lengths_are(sphere, *subject, precision, run);
     };
-    Claim claim{
+    catalogue.add({
         .id = "render/" + name,
         .statement = title,
         .source = "ours, verification/suites/transport/closed.cpp",
         .kind = Kind::mean,
-        .check = check(estimator),
-    };
-    for (const Defect& defect : defects) claim.mutants.push_back({defect.id, defect.sentence, check(defect.estimator)});
-    catalogue.add(std::move(claim));
+        .trial = {check, estimator, defects},
+    });
 }
 
 // A light's path lands on a pixel of the film once in five times; one from the camera always meets light.
@@ -144,9 +139,10 @@ void add_light(Catalogue& catalogue) {
                    .statement = "A picture by light tracing shares its light paths among its pixels.",
                    .source = "ours, integrators/drivers/render.cpp",
                    .kind = Kind::mean,
-                   .check = [](const Run& run) { return picture_is(made<LightTracer>(), run); },
-                   .mutants = {{"unshared", "Splats are not divided by the number of light paths.",
-                                [](const Run& run) { return picture_is(std::make_shared<Unshared>(), run); }}}});
+                   .trial = {picture_is,
+                             made<LightTracer>(),
+                             {{"unshared", "Splats are not divided by the number of light paths.",
+                               std::make_shared<Unshared>()}}}});
 }
 
 void add_bdpt(Catalogue& catalogue) {

@@ -85,25 +85,19 @@ Verdict strategies_agree(const Scene& scene, int length, const std::function<voi
     return all_of(std::move(parts));
 }
 
-struct Defect {
-    std::string id, sentence;
-    Made estimator;
-};
+using Defect = Wrong<Made>;
 using Compare = Verdict (*)(const Subject&, const Made&, const Made&, const Run&);
 
 void add(Catalogue& catalogue, const Subject& subject, const std::string& id, const std::string& what, Compare compare,
          const Made& reference, const Made& other, const std::vector<Defect>& defects) {
-    Claim claim{
+    catalogue.add({
         .id = "render/" + id + "/" + subject.name,
         .statement = what + " " + subject.title + ".",
         .source = "[Veach 1997, chapters 8 and 10]",
         .kind = Kind::mean,
-        .check = [=](const Run& run) { return compare(subject, reference, other, run); },
-    };
-    for (const Defect& defect : defects)
-        claim.mutants.push_back({defect.id, defect.sentence,
-                                 [=](const Run& run) { return compare(subject, reference, defect.estimator, run); }});
-    catalogue.add(std::move(claim));
+        .trial = {[=](const Made& made, const Run& run) { return compare(subject, reference, made, run); }, other,
+                  defects},
+    });
 }
 
 double without_correction(const PathVertex&, Vec3) {
@@ -193,18 +187,19 @@ void add_smooth_normals(Catalogue& catalogue) {
 }
 
 void add_strategies(Catalogue& catalogue) {
-    const auto check = [](const std::function<void(Bdpt&)>& change) {
-        return [change](const Run& run) { return strategies_agree(plates_scene(), 3, change, run); };
+    const auto check = [](const std::function<void(Bdpt&)>& change, const Run& run) {
+        return strategies_agree(plates_scene(), 3, change, run);
     };
-    catalogue.add({.id = "render/bdpt/strategies-alone",
-                   .statement = "Each strategy of three edges alone agrees with `path` where no surfaces touch.",
-                   .source = "[Veach 1997, section 10.2]",
-                   .kind = Kind::mean,
-                   .check = check({}),
-                   .mutants = {{"inverted-jacobian", "Connections are multiplied by d² instead of 1/d².",
-                                check(with_falloff(inverted))},
-                               {"one-cosine", "The cosine at the light's end of connections is left out.",
-                                check(with_falloff(without_cosine))}}});
+    catalogue.add(
+        {.id = "render/bdpt/strategies-alone",
+         .statement = "Each strategy of three edges alone agrees with `path` where no surfaces touch.",
+         .source = "[Veach 1997, section 10.2]",
+         .kind = Kind::mean,
+         .trial = {check,
+                   {},
+                   {{"inverted-jacobian", "Connections are multiplied by d² instead of 1/d².", with_falloff(inverted)},
+                    {"one-cosine", "The cosine at the light's end of connections is left out.",
+                     with_falloff(without_cosine)}}}});
 }
 
 }  // namespace

@@ -54,11 +54,12 @@ struct OwnRoulette final : PathEstimator {
     void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
                PathRecord& record) const override {
         record.clear();
-        const CameraStart start = start_at_camera(scene, region, samples);
+        Draws draws(samples);
+        const CameraStart start = start_at_camera(scene, region, draws);
         PathState state{.ray = start.ray, .from = start.ray.origin, .direction = start.ray.direction};
         PathState before = state;
-        while (tracer.step(scene, start.film, state, samples, record)) {
-            const double u = samples.at({before.vertex, Use::roulette}).u[0];
+        while (tracer.step(scene, start.film, state, draws, record)) {
+            const double u = draws.at({before.vertex, Use::roulette})[0];
             const auto throughput = play(before, state, u);
             if (!throughput) return;
             state.throughput = *throughput;
@@ -108,39 +109,39 @@ std::shared_ptr<const Scene> shipped(const std::string& name) {
 }
 
 void add_furnace(Catalogue& catalogue) {
-    const auto check = [](const Estimator& estimator, double truth) {
-        return [=](const Run& run) {
+    const auto check = [](double truth) {
+        return [=](const Estimator& estimator, const Run& run) {
             return mean_on_scene({shipped("furnace_box"), estimator, truth, run.pick(5e-3, 1e-3) * truth, truth == 1},
                                  run);
         };
     };
     for (int edges = 1; edges <= 4; ++edges) {
         const double truth = 2 - std::pow(0.5, edges - 1);
-        std::vector<Mutant> mutants{{"one-edge-more", "Paths of one edge more are counted too.",
-                                     check(paths({.max_edges = edges + 1}), truth)}};
+        std::vector<Wrong<Estimator>> wrong{
+            {"one-edge-more", "Paths of one edge more are counted too.", paths({.max_edges = edges + 1})}};
         // Light that is met in full would have no finite variance here: the mutant of it is beside two spheres.
         if (edges > 1)
-            mutants.push_back({"mis-squared-on-one-side", "The heuristic squares one of the two densities.",
-                               check(paths_with(unweighted_emitter_density(), {.max_edges = edges}), truth)});
+            wrong.push_back({"mis-squared-on-one-side", "The heuristic squares one of the two densities.",
+                             paths_with(unweighted_emitter_density(), {.max_edges = edges})});
         catalogue.add({.id = fmt::format("render/path/furnace-{}", edges),
                        .statement = fmt::format("In a closed box of albedo ½ that shines everywhere, paths of at most "
                                                 "{} edges see 1 + ½ + … = {}.",
                                                 edges, truth),
                        .source = "geometric series; scenes/shipped/furnace_box/expected.json",
                        .kind = Kind::mean,
-                       .check = check(paths({.max_edges = edges}), truth),
-                       .mutants = std::move(mutants)});
+                       .trial = {check(truth), paths({.max_edges = edges}), std::move(wrong)}});
     }
     catalogue.add({.id = "render/path/furnace",
                    .statement = "In a closed box of albedo ½ that shines everywhere, L = Le/(1 − ρ) = 2.",
                    .source = "geometric series; scenes/shipped/furnace_box/expected.json",
                    .kind = Kind::mean,
-                   .check = check(paths(), 2),
-                   .mutants = {{"ends-at-8", "Paths end behind 6 edges.", check(paths({.max_edges = 6}), 2)},
-                               {"no-compensation", "What survives the roulette carries no more than before.",
-                                check(std::make_shared<OwnRoulette>(without_compensation), 2)},
-                               {"mis-squared-on-one-side", "The heuristic squares one of the two densities.",
-                                check(paths_with(unweighted_emitter_density()), 2)}}});
+                   .trial = {check(2),
+                             paths(),
+                             {{"ends-at-8", "Paths end behind 6 edges.", paths({.max_edges = 6})},
+                              {"no-compensation", "What survives the roulette carries no more than before.",
+                               std::make_shared<OwnRoulette>(without_compensation)},
+                              {"mis-squared-on-one-side", "The heuristic squares one of the two densities.",
+                               paths_with(unweighted_emitter_density())}}}});
 }
 
 // ---- a shining sphere within a reflecting one
@@ -163,11 +164,9 @@ description::Scene spheres() {
 
 void add_spheres(Catalogue& catalogue) {
     const double truth = rho * seen_share / (1 - rho * (1 - seen_share));
-    const auto check = [=](const Estimator& estimator) {
-        return [=](const Run& run) {
-            return mean_on_scene(
-                {std::make_shared<const Scene>(spheres()), estimator, truth, run.pick(5e-3, 1e-3) * truth}, run);
-        };
+    const auto check = [=](const Estimator& estimator, const Run& run) {
+        return mean_on_scene({std::make_shared<const Scene>(spheres()), estimator, truth, run.pick(5e-3, 1e-3) * truth},
+                             run);
     };
     catalogue.add(
         {.id = "render/path/concentric-spheres",
@@ -175,12 +174,13 @@ void add_spheres(Catalogue& catalogue) {
                       "with f the squared ratio of the radii.",
          .source = "ours, verification/suites/transport/path.cpp",
          .kind = Kind::mean,
-         .check = check(paths()),
-         .mutants = {{"met-twice", "Light that is met counts in full beside the emitters' samples.",
-                      check(paths_with(counting_twice()))},
-                     {"ends-early", "Paths end behind 8 edges.", check(paths({.max_edges = 8}))},
-                     {"roulette-of-two-vertices", "The roulette decides by one vertex and compensates by the next.",
-                      check(std::make_shared<OwnRoulette>(of_two_vertices))}}});
+         .trial = {check,
+                   paths(),
+                   {{"met-twice", "Light that is met counts in full beside the emitters' samples.",
+                     paths_with(counting_twice())},
+                    {"ends-early", "Paths end behind 8 edges.", paths({.max_edges = 8})},
+                    {"roulette-of-two-vertices", "The roulette decides by one vertex and compensates by the next.",
+                     std::make_shared<OwnRoulette>(of_two_vertices)}}}});
 }
 
 // ---- lossless glass under a white sky
@@ -208,20 +208,19 @@ description::Scene glass_ball() {
 }
 
 void add_glass(Catalogue& catalogue) {
-    const auto check = [](const Estimator& estimator) {
-        return [=](const Run& run) {
-            return mean_on_scene({std::make_shared<const Scene>(glass_ball()), estimator, 1, 5e-3, true}, run);
-        };
+    const auto check = [](const Estimator& estimator, const Run& run) {
+        return mean_on_scene({std::make_shared<const Scene>(glass_ball()), estimator, 1, 5e-3, true}, run);
     };
-    catalogue.add({.id = "render/path/glass",
-                   .statement = "A ball of smooth glass cannot be seen under a white sky: every path carries 1.",
-                   .source = "Veach 1997, section 5.2",
-                   .kind = Kind::mean,
-                   .check = check(paths({.roulette_edges = all_edges})),
-                   .mutants = {{"one-side", "Radiance is scaled by η² on one of two sides.",
-                                check(std::make_shared<HalfScaled>())},
-                               {"ends-inside", "Paths end behind 3 edges.",
-                                check(paths({.max_edges = 3, .roulette_edges = all_edges}))}}});
+    catalogue.add(
+        {.id = "render/path/glass",
+         .statement = "A ball of smooth glass cannot be seen under a white sky: every path carries 1.",
+         .source = "Veach 1997, section 5.2",
+         .kind = Kind::mean,
+         .trial = {
+             check,
+             paths({.roulette_edges = all_edges}),
+             {{"one-side", "Radiance is scaled by η² on one of two sides.", std::make_shared<HalfScaled>()},
+              {"ends-inside", "Paths end behind 3 edges.", paths({.max_edges = 3, .roulette_edges = all_edges})}}}});
 }
 
 // ---- direct light is path tracing of two edges
@@ -253,16 +252,15 @@ Verdict equals_direct(const PathEstimator& path, const Run& run) {
 }
 
 void add_direct(Catalogue& catalogue) {
-    const auto check = [](PathLimits limits) {
-        return [=](const Run& run) { return equals_direct(PathTracer(limits), run); };
-    };
+    const auto check = [](PathLimits limits, const Run& run) { return equals_direct(PathTracer(limits), run); };
     catalogue.add({.id = "render/path/two-edges",
                    .statement = "From the same numbers, path tracing of at most two edges is direct illumination.",
                    .source = "ours, integrators/estimators/path.cpp",
                    .kind = Kind::bounded,
-                   .check = check({.max_edges = 2}),
-                   .mutants = {{"three-edges", "Depth counts one less.", check({.max_edges = 3})},
-                               {"one-edge", "Depth counts one more.", check({.max_edges = 1})}}});
+                   .trial = {check,
+                             {.max_edges = 2},
+                             {{"three-edges", "Depth counts one less.", {.max_edges = 3}},
+                              {"one-edge", "Depth counts one more.", {.max_edges = 1}}}}});
 }
 
 // ---- replay
@@ -298,22 +296,22 @@ Verdict replays(const Replay& replay, const Run& run) {
 }
 
 void add_replay(Catalogue& catalogue) {
-    const auto check = [](const Replay& replay) { return [=](const Run& run) { return replays(replay, run); }; };
-    catalogue.add(
-        {.id = "render/path/replay",
-         .statement = "A path's key gives the path again, bit by bit, with any sampler, whatever was asked "
-                      "for before.",
-         .source = "ours, core/primary_samples.h",
-         .kind = Kind::exact,
-         .check = check([](Sampler& sampler, const PathKey& key) -> PrimarySamples& { return sampler.start(key); }),
-         .mutants = {{"next-sample", "The key of the next sample is taken.",
-                      check([](Sampler& sampler, const PathKey& key) -> PrimarySamples& {
-                          return sampler.start({key.seed, key.pixel, key.sample + 1});
-                      })},
-                     {"no-pixel", "The key forgets its pixel.",
-                      check([](Sampler& sampler, const PathKey& key) -> PrimarySamples& {
-                          return sampler.start({key.seed, 0, key.sample});
-                      })}}});
+    const auto check = [](const Replay& replay, const Run& run) { return replays(replay, run); };
+    catalogue.add({.id = "render/path/replay",
+                   .statement = "A path's key gives the path again, bit by bit, with any sampler, whatever was asked "
+                                "for before.",
+                   .source = "ours, core/primary_samples.h",
+                   .kind = Kind::exact,
+                   .trial = {check,
+                             [](Sampler& sampler, const PathKey& key) -> PrimarySamples& { return sampler.start(key); },
+                             {{"next-sample", "The key of the next sample is taken.",
+                               [](Sampler& sampler, const PathKey& key) -> PrimarySamples& {
+                                   return sampler.start({key.seed, key.pixel, key.sample + 1});
+                               }},
+                              {"no-pixel", "The key forgets its pixel.",
+                               [](Sampler& sampler, const PathKey& key) -> PrimarySamples& {
+                                   return sampler.start({key.seed, 0, key.sample});
+                               }}}}});
 }
 
 }  // namespace

@@ -34,12 +34,17 @@ Scene scene_of(const Plates& plates, const PlatePoint& seen) {
     return Scene(std::move(scene));
 }
 
-/// The points of `rendered`, against the radiosity of the subject.
-Verdict is_radiosity(const RadiosityCase& subject, const Plates& rendered, const PathLimits& limits, const Run& run) {
-    const PathTracer tracer(limits);
+struct RenderedPlates {
+    Plates plates;
+    PathLimits limits = {};
+};
+
+/// The points of what is rendered, against the radiosity of the subject.
+Verdict is_radiosity(const RadiosityCase& subject, const RenderedPlates& rendered, const Run& run) {
+    const PathTracer tracer(rendered.limits);
     std::vector<Verdict> parts;
     for (const PlatePoint& seen : subject.points) {
-        const Scene scene = scene_of(rendered, seen);
+        const Scene scene = scene_of(rendered.plates, seen);
         const Measurement measurement{scene, tracer, Point<2>{0.5, 0.5}, {}, 16, last_vertex};
         const double truth = solution(subject).radiance(seen.plate, seen.s, seen.t);
         // Floats of the camera's ray move the point by 1e-7, and with it the radiance.
@@ -66,19 +71,21 @@ Plates with_brighter_walls(Plates plates) {
 }
 
 void add(Catalogue& catalogue, const RadiosityCase& subject) {
-    const auto check = [=](const Plates& rendered, const PathLimits& limits) {
-        return [=](const Run& run) { return is_radiosity(subject, rendered, limits, run); };
+    const auto check = [=](const RenderedPlates& rendered, const Run& run) {
+        return is_radiosity(subject, rendered, run);
     };
-    catalogue.add({.id = "render/path/" + subject.id,
-                   .statement = subject.title + ", light of all orders is the radiosity of its integral equation.",
-                   .source = "ours, analytic/radiosity.h; [Lambert 1760] for its form factors",
-                   .kind = Kind::mean,
-                   .check = check(subject.plates, {}),
-                   .mutants = {{"ends-early", "Paths end behind 3 edges.", check(subject.plates, {.max_edges = 3})},
-                               {"albedo-squared", "What one plate reflects is dimmed by its albedo twice.",
-                                check(with_squared_albedo(subject.plates), {})},
-                               {"brighter-walls", "Every plate reflects 1 % more.",
-                                check(with_brighter_walls(subject.plates), {})}}});
+    catalogue.add(
+        {.id = "render/path/" + subject.id,
+         .statement = subject.title + ", light of all orders is the radiosity of its integral equation.",
+         .source = "ours, analytic/radiosity.h; [Lambert 1760] for its form factors",
+         .kind = Kind::mean,
+         .trial = {check,
+                   {subject.plates},
+                   {{"ends-early", "Paths end behind 3 edges.", {subject.plates, {.max_edges = 3}}},
+                    {"albedo-squared",
+                     "What one plate reflects is dimmed by its albedo twice.",
+                     {with_squared_albedo(subject.plates)}},
+                    {"brighter-walls", "Every plate reflects 1 % more.", {with_brighter_walls(subject.plates)}}}}});
 }
 
 }  // namespace

@@ -60,9 +60,7 @@ Verdict gain(const std::vector<Numbers>& samplers, const Run& run) {
 }  // namespace
 
 void add_transport_sampler_claims(Catalogue& catalogue) {
-    const auto with = [](const std::vector<Numbers>& samplers) {
-        return [=](const Run& run) { return gain(samplers, run); };
-    };
+    const auto with = [](const std::vector<Numbers>& samplers, const Run& run) { return gain(samplers, run); };
     catalogue.add(
         {.id = "render/path/samplers",
          .statement =
@@ -70,11 +68,14 @@ void add_transport_sampler_claims(Catalogue& catalogue) {
              "MSE of independent ones.",
          .source = "[Mitchell 1996; Owen 1997]; the factor is measured",
          .kind = Kind::ratio,
-         .check = with({{"stratified", "stratified"}, {"sobol", "sobol"}}),
-         .mutants = {{"stratified-independent", "Independent numbers by the name of stratified ones.",
-                      with({{"stratified", "independent"}})},
-                     {"sobol-independent", "Independent numbers by the name of Owen-scrambled ones.",
-                      with({{"sobol", "independent"}})}}});
+         .trial = {with,
+                   {{"stratified", "stratified"}, {"sobol", "sobol"}},
+                   {{"stratified-independent",
+                     "Independent numbers by the name of stratified ones.",
+                     {{"stratified", "independent"}}},
+                    {"sobol-independent",
+                     "Independent numbers by the name of Owen-scrambled ones.",
+                     {{"sobol", "independent"}}}}}});
 }
 
 }  // namespace plumb::suites

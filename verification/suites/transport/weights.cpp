@@ -186,26 +186,26 @@ double choice_ignored(const PathChain& chain, int t) {
 }  // namespace
 
 void add_transport_weight_claims(Catalogue& catalogue) {
-    catalogue.add(
-        {.id = "render/bdpt/weights-sum",
-         .statement = "The weights of all strategies that can make a path of up to 8 edges sum to 1.",
-         .source = "[Veach 1997, section 9.2]",
-         .kind = Kind::bounded,
-         .check = [](const Run& run) { return weights_sum_to_one(strategy_weight, run); },
-         .mutants = {{"wrong-vertex", "The density of the next vertex in place of the connected one's.",
-                      [](const Run& run) { return weights_sum_to_one(weight_of_wrong_vertex, run); }},
-                     {"mirror-connected", "Connections to mirrors count as if they could be made.",
-                      [](const Run& run) { return weights_sum_to_one(weight_with_mirrors_connected, run); }}}});
+    catalogue.add({.id = "render/bdpt/weights-sum",
+                   .statement = "The weights of all strategies that can make a path of up to 8 edges sum to 1.",
+                   .source = "[Veach 1997, section 9.2]",
+                   .kind = Kind::bounded,
+                   .trial = {weights_sum_to_one,
+                             strategy_weight,
+                             {{"wrong-vertex", "The density of the next vertex in place of the connected one's.",
+                               weight_of_wrong_vertex},
+                              {"mirror-connected", "Connections to mirrors count as if they could be made.",
+                               weight_with_mirrors_connected}}}});
     catalogue.add(
         {.id = "render/bdpt/weights-densities",
          .statement = "Weights are those of the products of densities, recomputed from vertices' positions.",
          .source = "[Veach 1997, eq. 9.13 and section 10.2]",
          .kind = Kind::bounded,
-         .check = [](const Run& run) { return weights_are_of_densities(strategy_weight, run); },
-         .mutants = {{"choice-ignored", "Lights are taken to be sampled as their subpaths begin.",
-                      [](const Run& run) { return weights_are_of_densities(choice_ignored, run); }},
-                     {"wrong-vertex", "The density of the next vertex in place of the connected one's.",
-                      [](const Run& run) { return weights_are_of_densities(weight_of_wrong_vertex, run); }}}});
+         .trial = {weights_are_of_densities,
+                   strategy_weight,
+                   {{"choice-ignored", "Lights are taken to be sampled as their subpaths begin.", choice_ignored},
+                    {"wrong-vertex", "The density of the next vertex in place of the connected one's.",
+                     weight_of_wrong_vertex}}}});
 }
 
 }  // namespace plumb::suites
