@@ -22,18 +22,19 @@ const std::vector<NamedIntegrator>& integrators() {
     static const std::vector<NamedIntegrator> all{
         {"aov", "what is seen first: albedo, with normal and depth", "ours, integrators/estimators/aov.h",
          [](const PathLimits&) -> std::unique_ptr<PathEstimator> { return std::make_unique<Aov>(); }},
-        {"bdpt", "all light: subpaths from the sensor and from a light, connected in all ways", "Veach & Guibas 1994",
+        {"bdpt", "all light: subpaths from the sensor and from a light, connected in all ways", "[Veach & Guibas 1994]",
          [](const PathLimits& limits) -> std::unique_ptr<PathEstimator> { return std::make_unique<Bdpt>(limits); }},
-        {"direct", "direct light by samples of emitters and of BSDFs, power heuristic", "Veach & Guibas 1995",
+        {"direct", "direct light by samples of emitters and of BSDFs, power heuristic", "[Veach & Guibas 1995]",
          direct<LightTechniques::both>},
-        {"direct-bsdf", "direct light by samples of BSDFs alone", "Veach & Guibas 1995", direct<LightTechniques::bsdf>},
-        {"direct-emitters", "direct light by samples of emitters alone", "Veach & Guibas 1995",
+        {"direct-bsdf", "direct light by samples of BSDFs alone", "[Veach & Guibas 1995]",
+         direct<LightTechniques::bsdf>},
+        {"direct-emitters", "direct light by samples of emitters alone", "[Veach & Guibas 1995]",
          direct<LightTechniques::emitters>},
-        {"light", "light traced from its sources, each vertex connected to the lens", "Arvo 1986",
+        {"light", "light traced from its sources, each vertex connected to the lens", "[Arvo 1986]",
          [](const PathLimits& limits) -> std::unique_ptr<PathEstimator> {
              return std::make_unique<LightTracer>(limits);
          }},
-        {"path", "all light: emitter and BSDF samples at each vertex of a path from the sensor", "Kajiya 1986",
+        {"path", "all light: emitter and BSDF samples at each vertex of a path from the sensor", "[Kajiya 1986]",
          [](const PathLimits& limits) -> std::unique_ptr<PathEstimator> {
              return std::make_unique<PathTracer>(limits);
          }},

@@ -31,7 +31,7 @@ std::array<double, 2> disk_coordinates(const Disk& disk, Vec3 from_center) {
 }  // namespace
 
 std::optional<double> intersect(const Sphere& sphere, const Ray& ray) {
-    // Without cancellation far away or close to the surface [Haines, Günther and Akenine-Möller 2019].
+    // Without cancellation far away or close to the surface [Haines, Günther & Akenine-Möller 2019].
     const Vec3 f = ray.origin - sphere.center;
     const double a = length_squared(ray.direction), b = -dot(f, ray.direction);
     const double discriminant = sphere.radius * sphere.radius - length_squared(f + ray.direction * (b / a));
