@@ -14,6 +14,8 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_CXX_FLAGS_DEBUG "-Og -g1")
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+# For its warnings: the linker sees all units at once, and with them two types or declarations of one name.
+set(CMAKE_CXX_FLAGS_LTO "-O1 -DNDEBUG -flto=auto -Werror=odr -Werror=lto-type-mismatch")
 set_property(GLOBAL PROPERTY JOB_POOLS heavy=1)
 
 include(GNUInstallDirs)
@@ -47,7 +49,7 @@ if(PLUMB_COPIES_IN_WORDS)
   target_compile_options(plumb_options INTERFACE ${PLUMB_WORD_COPIES})
 endif()
 find_program(PLUMB_LLD ld.lld)
-if(PLUMB_LLD)
+if(PLUMB_LLD AND NOT CMAKE_BUILD_TYPE STREQUAL "Lto")   # which knows no GCC's intermediate code
   target_link_options(plumb_options INTERFACE -fuse-ld=lld)
 endif()
 if(PLUMB_SANITIZE)

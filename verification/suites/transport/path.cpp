@@ -214,7 +214,7 @@ void add_glass(Catalogue& catalogue) {
     catalogue.add(
         {.id = "render/path/glass",
          .statement = "A ball of smooth glass cannot be seen under a white sky: every path carries 1.",
-         .source = "Veach 1997, section 5.2",
+         .source = "[Veach 1997, section 5.2]",
          .kind = Kind::mean,
          .trial = {
              check,
