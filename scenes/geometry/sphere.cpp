@@ -33,7 +33,7 @@ Sphere Sphere::load(Properties& properties) {
 }
 
 std::optional<double> Sphere::intersect(const Ray& ray) const {
-    // Without cancellation far away or close to the surface [Haines, Günther and Akenine-Möller 2019].
+    // Without cancellation far away or close to the surface [Haines, Günther & Akenine-Möller 2019].
     const Vec3 f = ray.origin - center;
     const double a = length_squared(ray.direction), b = -dot(f, ray.direction);
     const double discriminant = radius * radius - length_squared(f + ray.direction * (b / a));
