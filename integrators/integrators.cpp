@@ -11,9 +11,9 @@ namespace plumb {
 
 namespace {
 
-template <LightTechniques techniques>
+template <TechniqueCounts counts>
 std::unique_ptr<PathEstimator> direct(const PathLimits&) {
-    return std::make_unique<Direct>(techniques);
+    return std::make_unique<Direct>(counts);
 }
 
 }  // namespace
@@ -25,10 +25,9 @@ const std::vector<NamedIntegrator>& integrators() {
         {"bdpt", "all light: subpaths from the sensor and from a light, connected in all ways", "Veach & Guibas 1994",
          [](const PathLimits& limits) -> std::unique_ptr<PathEstimator> { return std::make_unique<Bdpt>(limits); }},
         {"direct", "direct light by samples of emitters and of BSDFs, power heuristic", "Veach & Guibas 1995",
-         direct<LightTechniques::both>},
-        {"direct-bsdf", "direct light by samples of BSDFs alone", "Veach & Guibas 1995", direct<LightTechniques::bsdf>},
-        {"direct-emitters", "direct light by samples of emitters alone", "Veach & Guibas 1995",
-         direct<LightTechniques::emitters>},
+         direct<one_of_each>},
+        {"direct-bsdf", "direct light by samples of BSDFs alone", "Veach & Guibas 1995", direct<bsdf_alone>},
+        {"direct-emitters", "direct light by samples of emitters alone", "Veach & Guibas 1995", direct<emitters_alone>},
         {"light", "light traced from its sources, each vertex connected to the lens", "Arvo 1986",
          [](const PathLimits& limits) -> std::unique_ptr<PathEstimator> {
              return std::make_unique<LightTracer>(limits);

@@ -50,6 +50,8 @@ Catalogue shipped_catalogue() {
     add_transport_closed_claims(catalogue);
     add_transport_equal_claims(catalogue);
     add_guided_sample_claims(catalogue);
+    add_light_choice_claims(catalogue);
+    add_technique_count_claims(catalogue);
     add_transport_radiosity_claims(catalogue);
     add_transport_sampler_claims(catalogue);
     add_transport_weight_claims(catalogue);

@@ -52,6 +52,8 @@ void add_transport_class_claims(Catalogue& catalogue);
 void add_transport_closed_claims(Catalogue& catalogue);
 void add_transport_equal_claims(Catalogue& catalogue);
 void add_guided_sample_claims(Catalogue& catalogue);
+void add_light_choice_claims(Catalogue& catalogue);
+void add_technique_count_claims(Catalogue& catalogue);
 void add_transport_radiosity_claims(Catalogue& catalogue);
 void add_transport_sampler_claims(Catalogue& catalogue);
 void add_transport_weight_claims(Catalogue& catalogue);

@@ -97,8 +97,8 @@ void add_values(Catalogue& catalogue) {
                  "No NaN, infinite or negative radiance, albedo or depth in pictures of the scene {}.", shipped.name),
              .source = "ours, scenes/film/film.h",
              .kind = Kind::exact,
-             .check = check({std::make_shared<Direct>(), std::make_shared<Direct>(LightTechniques::emitters),
-                             std::make_shared<Direct>(LightTechniques::bsdf), std::make_shared<Aov>()}),
+             .check = check({std::make_shared<Direct>(), std::make_shared<Direct>(emitters_alone),
+                             std::make_shared<Direct>(bsdf_alone), std::make_shared<Aov>()}),
              .mutants = unsound(check),
              // Loading it takes seconds.
              .sizes = shipped.name == "million_triangles" ? Sizes::full_only : Sizes::both});
@@ -265,7 +265,7 @@ Verdict picture_is_one(description::FilterKind kind, const PathEstimator& estima
 void add_constant(Catalogue& catalogue) {
     using description::FilterKind;
     // By samples of its BSDF a white sphere under a white sky is white without variance.
-    const Direct direct(LightTechniques::bsdf);
+    const Direct direct(bsdf_alone);
     for (const auto& [name, kind] : {std::pair{"box", FilterKind::box}, std::pair{"tent", FilterKind::tent},
                                      std::pair{"gaussian", FilterKind::gaussian}}) {
         Claim claim{

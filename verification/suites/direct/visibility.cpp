@@ -121,7 +121,7 @@ Scene under_masks(bool point_light, double first, double second) {
 /// ρ/π I/d² of a point light of 4 W/sr at distance 2: 1/π.
 Verdict share_of_point(double first, double second, const NextEvent& next_event, const Run& run) {
     const Scene scene = under_masks(true, first, second);
-    const Direct estimator(LightTechniques::both, next_event);
+    const Direct estimator(next_event);
     const Measurement measurement{.scene = scene, .estimator = estimator, .film = Point<2>{0.5, 0.5}, .n = 1};
     const double reference = (1 - opacity) * (1 - second_opacity) / pi;
     return mean_is([&](RandomStream& random) { return measurement.draw(random)[0]; },
@@ -141,17 +141,27 @@ Verdict share_of_camera_rays(double first, double second, const Run& run) {
                    {.reference = reference, .delta = 5e-3 * reference, .epsilon = 1e-9, .bounds = {0, 1}}, run);
 }
 
+struct Unhidden final : Visibility {
+    [[nodiscard]] double sample(const Scene&, const SurfacePoint&, const EmitterSample&, SampleIndex, Draws&,
+                                RayLog&) const override {
+        return 1;
+    }
+};
+struct Solid final : Visibility {
+    [[nodiscard]] double sample(const Scene& scene, const SurfacePoint& from, const EmitterSample& end, SampleIndex,
+                                Draws&, RayLog& rays) const override {
+        return scene.transmittance(from, end, rays) < 1 ? 0 : 1;
+    }
+};
+
 void add_masks(Catalogue& catalogue) {
-    NextEvent no_masks = default_next_event(), solid = no_masks;
-    no_masks.visibility = [](const Scene&, const PathVertex&, const EmitterSample&, PathRecord&) { return 1.0; };
-    solid.visibility = [](const Scene& scene, const PathVertex& vertex, const EmitterSample& light,
-                          PathRecord& record) {
-        return scene.transmittance(vertex.hit.point, light, record.rays) < 1 ? 0.0 : 1.0;
-    };
+    NextEvent no_masks, solid;
+    no_masks.visibility = std::make_shared<Unhidden>();
+    solid.visibility = std::make_shared<Solid>();
     const auto point = [](double first, double second, const NextEvent& next_event) {
         return [=](const Run& run) { return share_of_point(first, second, next_event, run); };
     };
-    const NextEvent right = default_next_event();
+    const NextEvent right;
     catalogue.add(
         {.id = "direct/mask/shadow-ray",
          .statement = "Of the light of a point, masks of opacities o and o' let (1 − o)(1 − o') through.",
