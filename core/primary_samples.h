@@ -33,6 +33,13 @@ struct Slot {
     friend auto operator<=>(const Slot&, const Slot&) = default;
 };
 
+/// Which sample of which vertex: 0 is the only one, or the path's own.
+struct SampleIndex {
+    std::uint16_t vertex, sample = 0;
+
+    [[nodiscard]] constexpr Slot slot(Use use) const { return {vertex, use, sample}; }
+};
+
 /// A number for each slot, as the index of a RandomStream.
 constexpr std::uint64_t slot_index(Slot slot) {
     return static_cast<std::uint64_t>(slot.sample) << 24 | static_cast<std::uint64_t>(slot.vertex) << 8 |

@@ -24,9 +24,9 @@ std::unique_ptr<PathEstimator> with_roulette(const PathLimits& limits, const Par
     return std::make_unique<Estimator>(own);
 }
 
-template <LightTechniques techniques>
+template <TechniqueCounts counts>
 std::unique_ptr<PathEstimator> direct(const PathLimits&, const Parameters&) {
-    return std::make_unique<Direct>(techniques);
+    return std::make_unique<Direct>(counts);
 }
 
 std::unique_ptr<PathEstimator> aov(const PathLimits&, const Parameters&) {
@@ -68,19 +68,19 @@ const std::vector<NamedIntegrator>& integrators() {
          "[Veach & Guibas 1995]",
          {.longest = 2, .path = direct_makes, .rank = 1},
          {},
-         direct<LightTechniques::both>},
+         direct<one_of_each>},
         {"direct-bsdf",
          "direct light by samples of BSDFs alone",
          "[Veach & Guibas 1995]",
          {.longest = 2, .path = direct_bsdf_makes},
          {},
-         direct<LightTechniques::bsdf>},
+         direct<bsdf_alone>},
         {"direct-emitters",
          "direct light by samples of emitters alone",
          "[Veach & Guibas 1995]",
          {.longest = 2, .path = direct_emitters_makes},
          {},
-         direct<LightTechniques::emitters>},
+         direct<emitters_alone>},
         {"light",
          "light traced from its sources, each vertex connected to the lens",
          "[Arvo 1986]",

@@ -109,19 +109,7 @@ double Scene::light_pdf(const Hit& hit, Vec3 from, Vec3 direction) const {
 }
 
 double Scene::light_pdf(std::size_t light, Vec3 position, Vec3 normal, Vec3 from, Vec3 direction) const {
-    const double cos_at_light = -dot(normal, direction);
-    if (!(cos_at_light > 0)) return 0;
-    // That the light was met is not asked again: the ray started a rounding error beside `from`, and a direction at the
-    // light's rim that misses it from there would have density 0, hence the whole weight: a firefly.
-    const auto pdf = [&](const auto& emitter) {
-        if constexpr (requires { emitter.pdf_area(); })
-            return per_steradian(emitter.pdf_area(), length(position - from), cos_at_light);
-        else if constexpr (requires { emitter.pdf(from); })
-            return emitter.pdf(from);
-        else
-            return 0.0;  // without a surface
-    };
-    return chooser_->pmf(light) * std::visit(pdf, lights_[light]);
+    return chooser_->pmf(light) * pdf_of_sample(lights_[light], from, direction, position, normal);
 }
 
 std::optional<std::size_t> Scene::light_of(const Hit& hit) const {

@@ -33,7 +33,7 @@ private:
     static bool may_connect(const SubpathVertex& vertex) { return vertex.surface && vertex.surface->bsdf.smooth(); }
 
     [[nodiscard]] double weight_of(std::span<const SubpathVertex> camera, std::span<const SubpathVertex> light) {
-        join(scene_, camera, light, bdpt_.rules.per_area, chain_);
+        join(scene_, *bdpt_.choice, camera, light, bdpt_.rules.per_area, chain_);
         return bdpt_.weight(chain_, static_cast<int>(camera.size()));
     }
     [[nodiscard]] std::span<const SubpathVertex> camera(std::size_t t) const { return {camera_.data(), t}; }
@@ -68,10 +68,9 @@ private:
     // (1, t)
     void sample_light(std::size_t t) {
         const SubpathVertex& last = camera_[t - 1];
-        const auto number = static_cast<std::uint16_t>(t - 1);
+        const SampleIndex index{static_cast<std::uint16_t>(t - 1)};
         Draws draws(samples_);
-        const double u = draws.at({number, Use::light})[0];
-        const auto sampled = scene_.sample_light(last.position(), u, draws.at({number, Use::light_point}));
+        const auto sampled = bdpt_.choice->sample(scene_, last.point, index, draws);
         if (!sampled) return;
         const EmitterSample& sample = sampled->sample;
         const Spectrum f = eval_bsdf(*last.surface, sample.direction, Transport::radiance);
@@ -80,7 +79,7 @@ private:
         end.pdf = density_of_origin(scene_, end, last);
         const double weight = weight_of(camera(t), {&end, 1});
         if (weight == 0) return;
-        const double arrives = scene_.transmittance(last.point, sample, record_.rays);
+        const double arrives = bdpt_.visibility->sample(scene_, last.point, sample, index, draws, record_.rays);
         add(start_.film, last.throughput * f * sample.radiance * (weight * arrives / sampled->pdf), 1, t, weight,
             last.drawn * draws.density(), sampled->light);
     }
@@ -100,10 +99,13 @@ private:
         const double weight = weight_of(camera(t), light(s));
         if (weight == 0) return;
         const EmitterSample end{direction, distance, {}, 0, Measure::solid_angle, y.point};
-        const double arrives = scene_.transmittance(x.point, end, record_.rays);
+        const SampleIndex index{static_cast<std::uint16_t>(t - 1), static_cast<std::uint16_t>(s - 1)};
+        Draws draws(samples_);
+        const double arrives = bdpt_.visibility->sample(scene_, x.point, end, index, draws, record_.rays);
         const double scale =
             weight * arrives * bdpt_.rules.correction(*y.surface, -direction) * bdpt_.rules.falloff(x, y);
-        add(start_.film, x.throughput * f_x * f_y * y.throughput * scale, s, t, weight, x.drawn * y.drawn);
+        add(start_.film, x.throughput * f_x * f_y * y.throughput * scale, s, t, weight,
+            x.drawn * y.drawn * draws.density());
     }
 
     // (s, 1)
@@ -122,7 +124,8 @@ private:
         const SubpathVertex sensor = sensor_vertex(y.position() + lens->direction * lens->distance);
         const double weight = weight_of({&sensor, 1}, light(s));
         if (weight == 0) return;
-        const double arrives = transmittance_to(scene_, y.point, *lens, record_.rays);
+        const double arrives =
+            bdpt_.visibility->sample(scene_, y.point, end_at_lens(*lens), {number}, draws, record_.rays);
         add(lens->film, y.throughput * f * (weight * arrives * lens->importance / lens->pdf), s, 1, weight,
             y.drawn * draws.density());
     }

@@ -2,6 +2,8 @@
 
 #include <functional>
 
+#include "integrators/paths/next_event/light_choices.h"
+#include "integrators/paths/next_event/visibility.h"
 #include "integrators/paths/path_chain.h"
 
 namespace plumb {
@@ -16,6 +18,8 @@ using StrategyWeight = std::function<double(const PathChain& chain, int t)>;
 struct Bdpt final : PathEstimator {
     SubpathRules rules;
     SensorConnection connection = connect_to_lens;
+    std::shared_ptr<const LightChoice> choice = choice_by_power();
+    std::shared_ptr<const Visibility> visibility = shadow_rays();  ///< of all connections
     StrategyWeight weight = strategy_weight;
 
     Bdpt() = default;

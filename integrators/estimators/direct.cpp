@@ -25,12 +25,8 @@ void trace_two_edges(const Scene& scene, const FilmRegion& region, PrimarySample
 void Direct::trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, PathRecord& record) const {
     trace_two_edges(scene, region, samples, record,
                     [this](const Scene& in, const PathVertex& vertex, const Draws& numbers, PathRecord& rays) {
-                        Spectrum sum;
-                        if (used != LightTechniques::bsdf)
-                            sum += light_from_emitters(in, vertex, 1, used, next_event, numbers, rays);
-                        if (used != LightTechniques::emitters)
-                            sum += light_from_bsdf(in, vertex, 1, used, next_event, numbers, rays);
-                        return sum;
+                        return light_from_emitters(in, vertex, 1, next_event, numbers, rays) +
+                               light_from_bsdf(in, vertex, 1, next_event, numbers, rays);
                     });
 }
 

@@ -17,12 +17,12 @@ void trace_two_edges(const Scene& scene, const FilmRegion& region, PrimarySample
 /// Direct illumination: paths of at most two edges, sensor – surface – emitter, by samples of emitters, of BSDFs, or
 /// of both with multiple importance sampling [Veach & Guibas 1995].
 struct Direct final : PathEstimator {
-    LightTechniques used = LightTechniques::both;
-    NextEvent next_event = default_next_event();
+    NextEvent next_event;
 
     Direct() = default;
-    explicit Direct(LightTechniques techniques, const NextEvent& parts = default_next_event())
-        : used(techniques), next_event(parts) {}
+    explicit Direct(const NextEvent& parts) : next_event(parts) {}
+    explicit Direct(const TechniqueCounts& counts, const NextEvent& parts = {})
+        : next_event(with_counts(parts, counts)) {}
     void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
                PathRecord& record) const override;
 };

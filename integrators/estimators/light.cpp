@@ -55,7 +55,8 @@ void LightTracer::splat(const Scene& scene, const PathVertex& vertex, const Spec
     if (!lens) return;
     const Spectrum f = eval_bsdf(vertex, lens->direction, Transport::importance);
     if (is_black(f)) return;
-    const double arrives = transmittance_to(scene, vertex.hit.point, *lens, record.rays);
+    const double arrives =
+        visibility->sample(scene, vertex.hit.point, end_at_lens(*lens), {number}, draws, record.rays);
     if (arrives == 0) return;
     const double scale = correction(vertex, lens->direction) * arrives * lens->importance / lens->pdf;
     const Spectrum value = flux * f * scale;

@@ -2,6 +2,7 @@
 
 #include "integrators/estimators/path.h"
 #include "integrators/paths/light_start.h"
+#include "integrators/paths/next_event/visibility.h"
 
 namespace plumb {
 
@@ -11,6 +12,7 @@ namespace plumb {
 struct LightTracer final : PathEstimator {
     PathLimits limits;
     SensorConnection connection = connect_to_lens;
+    std::shared_ptr<const Visibility> visibility = shadow_rays();
     ShadingCorrection correction = shading_correction;
     Survival survival = survive_by_throughput;
     Transport carries = Transport::importance;

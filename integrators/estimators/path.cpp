@@ -4,20 +4,35 @@
 
 namespace plumb {
 
+namespace {
+
+// The weight of light that the state's ray met, against what samples of emitters, and more of the BSDF, would have
+// found there.
+TechniqueWeight weight_of_met(const Scene& scene, const NextEvent& next_event, const PathState& state,
+                              const std::optional<Hit>& hit, const PathRecord& record) {
+    if (state.vertex == 1) return {1, 0};
+    const int count = next_event.bsdf_count;
+    if (state.pdf == 0) return {1.0 / std::max(1, count), 0};
+    if (count == 0) return {0, 0};
+    const LightPoint point = light_point(scene, hit, state.direction);
+    TechniqueWeight weight = weight_of_bsdf(next_event, scene, record.vertices.back(), point, state.pdf);
+    weight.weight /= count;
+    return weight;
+}
+
+}  // namespace
+
 Spectrum met_light(const Scene& scene, const NextEvent& next_event, const PathState& state,
                    const std::optional<Hit>& hit, double density, const PathRecord& record) {
     const Spectrum radiance = hit ? scene.emitted(*hit, -state.direction) : scene.environment(state.ray);
     if (is_black(radiance)) return radiance;
-    const double light_pdf = state.pdf == 0 ? 0
-                             : hit          ? scene.light_pdf(*hit, state.from, state.direction)
-                                            : scene.environment_pdf(state.from, state.direction);
-    const double weight = state.pdf == 0 ? 1 : next_event.weight(state.pdf, light_pdf);
+    const auto [weight, rivals] = weight_of_met(scene, next_event, state, hit, record);
     if (record.story)
         record.tell({.strategy = {0, state.vertex + 1},
                      .light = radiance,
                      .weight = weight,
                      .pdf = state.pdf,
-                     .rival = light_pdf,
+                     .rival = rivals,
                      .source = hit ? scene.light_of(*hit) : scene.environment_light(),
                      .density = density});
     return radiance * weight;
@@ -28,14 +43,14 @@ void PathTracer::trace(const Scene& scene, const FilmRegion& region, PrimarySamp
     record.clear();
     Draws draws(samples);
     const CameraStart start = start_at_camera(scene, region, draws);
-    PathState state{.ray = start.ray, .from = start.ray.origin, .direction = start.ray.direction};
+    PathState state{.ray = start.ray, .direction = start.ray.direction};
     while (step(scene, start.film, state, draws, record)) {
     }
 }
 
 bool PathTracer::step(const Scene& scene, const Point<2>& film, PathState& state, Draws& draws,
                       PathRecord& record) const {
-    const std::optional<Hit> hit = trace_to_hit(scene, state.ray, state.vertex, draws, record);
+    const std::optional<Hit> hit = trace_to_hit(scene, state.ray, {state.vertex}, draws, record);
     const auto add = [&](const Spectrum& light, int edges) {
         if (!is_black(light)) record.add({film, state.throughput * light, edges}, draws.density());
     };
@@ -45,16 +60,17 @@ bool PathTracer::step(const Scene& scene, const Point<2>& film, PathState& state
     if (!hit) return false;
     const PathVertex& vertex = record.meet(vertex_at(scene, *hit, state.ray), draws.density());
     if (!limits.allow(edges + 1)) return false;
-    add(light_from_emitters(scene, vertex, state.vertex, LightTechniques::both, next_event, draws, record), edges + 1);
+    Spectrum light = light_from_emitters(scene, vertex, state.vertex, next_event, draws, record);
+    if (next_event.bsdf_count > 1) light += light_from_bsdf(scene, vertex, state.vertex, next_event, draws, record, 1);
+    add(light, edges + 1);
     return edges < last_vertex && scatter(vertex, state, draws, record);
 }
 
 bool PathTracer::scatter(const PathVertex& vertex, PathState& state, Draws& draws, PathRecord& record) const {
     const std::uint16_t number = state.vertex++;
-    const auto sample = sample_bsdf(vertex, number, draws, Transport::radiance);
+    const auto sample = sample_bsdf(vertex, {number}, draws, Transport::radiance);
     if (!sample) return false;
     state.ray = leave(vertex.hit.point, sample->direction);
-    state.from = vertex.hit.point.position;
     state.direction = sample->direction;
     state.throughput *= sample->weight;
     state.pdf = sample->measure == Measure::solid_angle ? sample->pdf : 0;

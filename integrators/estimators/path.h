@@ -7,8 +7,8 @@ namespace plumb {
 
 /// A path on its way from the sensor: everything that its next step depends on.
 struct PathState {
-    Ray ray;               ///< towards the next vertex
-    Vec3 from, direction;  ///< where the ray was chosen, and its direction before it was rounded
+    Ray ray;         ///< towards the next vertex
+    Vec3 direction;  ///< of the ray before it was rounded
     Spectrum throughput = Spectrum::grey(1);
     double pdf = 0;          ///< of the direction, per steradian; 0 where no emitter sample competes: at the sensor and
                              ///< behind mirrors
@@ -18,13 +18,14 @@ struct PathState {
 
 /// Light that the state's ray met, weighted against what an emitter sample would have found there.
 Spectrum met_light(const Scene& scene, const NextEvent& next_event, const PathState& state,
-                   const std::optional<Hit>& hit, const PathRecord& record);
+                   const std::optional<Hit>& hit, double density, const PathRecord& record);
 
-/// Path tracing: next event estimation and BSDF samples with multiple importance sampling at each vertex
+/// Path tracing: next event estimation and BSDF samples with multiple importance sampling at each vertex. Light behind
+/// mirrors counts even where no sample of the BSDF is to find light: nothing else would
 /// [Kajiya 1986; Veach & Guibas 1995].
 struct PathTracer final : PathEstimator {
     PathLimits limits;
-    NextEvent next_event = default_next_event();
+    NextEvent next_event;  ///< the first sample of a vertex's BSDF is the path's own way on
     Survival survival = survive_by_throughput;
 
     PathTracer() = default;

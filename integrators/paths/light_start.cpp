@@ -16,7 +16,7 @@ std::optional<LightStart> start_at_light(const Scene& scene, Draws& draws, const
 
 std::optional<ScatterSample> sample_importance(const PathVertex& vertex, std::uint16_t number, Draws& draws,
                                                ShadingCorrection correction, Transport carries) {
-    auto sample = sample_bsdf(vertex, number, draws, carries);
+    auto sample = sample_bsdf(vertex, {number}, draws, carries);
     if (sample) sample->weight *= correction(vertex, sample->direction);
     return sample;
 }
@@ -25,9 +25,8 @@ std::optional<SensorSample> connect_to_lens(const Scene& scene, Vec3 from, const
     return scene.sensor().connect(from, lens);
 }
 
-double transmittance_to(const Scene& scene, const SurfacePoint& from, const SensorSample& sensor, RayLog& rays) {
-    const EmitterSample end{.direction = sensor.direction, .distance = sensor.distance, .radiance = {}};
-    return scene.transmittance(from, end, rays);
+EmitterSample end_at_lens(const SensorSample& sensor) {
+    return {.direction = sensor.direction, .distance = sensor.distance, .radiance = {}};
 }
 
 }  // namespace plumb

@@ -30,7 +30,7 @@ inline std::optional<SensorSample> sample_lens(const Scene& scene, Vec3 from, st
     const bool lens = scene.sensor().has_lens();
     return connect(scene, from, lens ? Point<2>(draws.at({number, Use::lens})) : Point<2>{0.5, 0.5});
 }
-/// How much of what leaves a surface point for the lens arrives.
-double transmittance_to(const Scene& scene, const SurfacePoint& from, const SensorSample& sensor, RayLog& rays);
+/// The lens as an end that Visibility is asked about.
+EmitterSample end_at_lens(const SensorSample& sensor);
 
 }  // namespace plumb

@@ -1,81 +1,156 @@
 #include "integrators/paths/next_event.h"
 
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "core/error.h"
 #include "integrators/paths/vertex.h"
 
 namespace plumb {
 
 namespace {
 
-std::optional<SceneLightSample> choose_by_power(const Scene& scene, const PathVertex& vertex, Draws& draws,
-                                                std::uint16_t number) {
-    const double u = draws.at({number, Use::light})[0];
-    return scene.sample_light(vertex.hit.point.position, u, draws.at({number, Use::light_point}));
+// n_s p_s of every technique: of choices of lights in their order, of the BSDF behind them.
+struct Densities {
+    std::array<double, NextEvent::most_choices + 1> values{};
+    std::size_t count;
+
+    explicit Densities(const NextEvent& next_event) : count(next_event.lights.size() + 1) {
+        if (count > values.size())
+            throw Error(fmt::format("{} choices of lights; accepted are at most {}", count - 1, values.size() - 1));
+    }
+    [[nodiscard]] std::span<const double> all() const { return {values.data(), count}; }
+    [[nodiscard]] TechniqueWeight weight(MisWeight weight, std::size_t own) const {
+        const double sum = std::accumulate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count), 0.0);
+        return {weight(all(), own), count == 2 ? values[1 - own] : sum - values[own]};
+    }
+};
+
+// Of all choices but one, whose density is known.
+void ask_choices(const NextEvent& next_event, const Scene& scene, const PathVertex& vertex, const LightPoint& point,
+                 std::size_t known, Densities& densities) {
+    for (std::size_t k = 0; k < next_event.lights.size(); ++k) {
+        const auto& [choice, count] = next_event.lights[k];
+        if (k != known && count > 0) densities.values[k] = count * choice->pdf(scene, vertex.hit.point, point);
+    }
 }
 
-double trace_shadow(const Scene& scene, const PathVertex& vertex, const EmitterSample& light, PathRecord& record) {
-    return scene.transmittance(vertex.hit.point, light, record.rays);
+// A sample of a choice of lights: which of a vertex's, of which choice.
+struct EmitterTurn {
+    SampleIndex index;
+    std::size_t choice;
+};
+
+Spectrum light_from_emitter(const Scene& scene, const PathVertex& vertex, const EmitterTurn& turn,
+                            const NextEvent& next_event, const Draws& of_vertex, PathRecord& record) {
+    const auto& [choice, count] = next_event.lights[turn.choice];
+    Draws draws = of_vertex.branch();
+    const auto light = choice->sample(scene, vertex.hit.point, turn.index, draws);
+    if (!light) return {};
+    const Spectrum f = eval_bsdf(vertex, light->sample.direction, Transport::radiance);
+    if (is_black(f)) return {};
+    const double visible =
+        next_event.visibility->sample(scene, vertex.hit.point, light->sample, turn.index, draws, record.rays);
+    const Strategy strategy{1, turn.index.vertex + 1};
+    if (visible == 0) {
+        if (record.story) record.tell({.strategy = strategy, .light = {}, .pdf = light->pdf, .source = light->light});
+        return {};
+    }
+    const auto [weight, rivals] =
+        weight_of_choice(next_event, scene, vertex, light_point(*light), turn.choice, light->pdf);
+    const double arrives = visible / (count * light->pdf);
+    if (record.story)
+        record.tell({.strategy = strategy,
+                     .light = f * light->sample.radiance * arrives,
+                     .weight = weight,
+                     .pdf = light->pdf,
+                     .rival = rivals,
+                     .source = light->light,
+                     .density = of_vertex.density() * draws.density()});
+    return f * light->sample.radiance * (weight * visible / (count * light->pdf)) / draws.density();
+}
+
+Spectrum light_from_direction(const Scene& scene, const PathVertex& vertex, SampleIndex index,
+                              const NextEvent& next_event, const Draws& of_vertex, PathRecord& record) {
+    Draws draws = of_vertex.branch();
+    const auto sample = sample_bsdf(vertex, index, draws, Transport::radiance);
+    if (!sample) return {};
+    if (index.sample == 0) tell_scattering(record, index.vertex, *sample, sample->weight);
+    const Vec3 wi = sample->direction;
+    const Ray ray = leave(vertex.hit.point, wi);
+    const SampleIndex arrival{static_cast<std::uint16_t>(index.vertex + 1), index.sample};
+    const auto next = trace_to_hit(scene, ray, arrival, draws, record);
+    const Spectrum radiance = next ? scene.emitted(*next, -wi) : scene.environment(ray);
+    if (is_black(radiance)) return {};
+    const LightPoint point = light_point(scene, next, wi);
+    const bool mirrored = sample->measure == Measure::discrete;
+    const auto [weight, rivals] =
+        mirrored ? TechniqueWeight{1, 0} : weight_of_bsdf(next_event, scene, vertex, point, sample->pdf);
+    const double share = weight / next_event.bsdf_count;
+    if (record.story)
+        record.tell({.strategy = {0, index.vertex + 2},
+                     .light = sample->weight * radiance / next_event.bsdf_count,
+                     .weight = weight,
+                     .pdf = rivals > 0 ? sample->pdf : 0,
+                     .rival = rivals,
+                     .source = point.light,
+                     .density = of_vertex.density() * draws.density()});
+    return sample->weight * radiance * share / draws.density();
 }
 
 }  // namespace
 
-NextEvent default_next_event() {
-    return {choose_by_power, trace_shadow, mis_weight};
+NextEvent with_counts(NextEvent next_event, const TechniqueCounts& counts) {
+    if (next_event.lights.size() != 1)
+        throw Error(fmt::format("a count for {} choices of lights; accepted is one", next_event.lights.size()));
+    if (counts.emitters < 0 || counts.bsdf < 0)
+        throw Error(fmt::format("{} samples of emitters and {} of the BSDF; accepted are 0 and more", counts.emitters,
+                                counts.bsdf));
+    next_event.lights.front().count = counts.emitters;
+    next_event.bsdf_count = counts.bsdf;
+    return next_event;
 }
 
-Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::uint16_t number, LightTechniques used,
+TechniqueWeight weight_of_choice(const NextEvent& next_event, const Scene& scene, const PathVertex& vertex,
+                                 const LightPoint& point, std::size_t choice, double pdf) {
+    Densities densities(next_event);
+    densities.values[choice] = next_event.lights[choice].count * pdf;
+    ask_choices(next_event, scene, vertex, point, choice, densities);
+    // No direction of a BSDF meets a point.
+    if (next_event.bsdf_count > 0 && !std::holds_alternative<PointLight>(scene.lights()[point.light]))
+        densities.values[densities.count - 1] =
+            next_event.bsdf_count * vertex.bsdf.pdf(vertex.to_local(vertex.wo), vertex.to_local(point.direction));
+    return densities.weight(next_event.weight, choice);
+}
+
+TechniqueWeight weight_of_bsdf(const NextEvent& next_event, const Scene& scene, const PathVertex& vertex,
+                               const LightPoint& point, double pdf) {
+    Densities densities(next_event);
+    const std::size_t own = densities.count - 1;
+    densities.values[own] = next_event.bsdf_count * pdf;
+    ask_choices(next_event, scene, vertex, point, own, densities);
+    return densities.weight(next_event.weight, own);
+}
+
+Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::uint16_t number,
                              const NextEvent& next_event, const Draws& of_vertex, PathRecord& record) {
     if (!vertex.bsdf.smooth()) return {};
-    Draws draws = of_vertex.branch();
-    const auto light = next_event.choose(scene, vertex, draws, number);
-    if (!light) return {};
-    const Spectrum f = eval_bsdf(vertex, light->sample.direction, Transport::radiance);
-    if (is_black(f)) return {};
-    const double visible = next_event.visibility(scene, vertex, light->sample, record);
-    if (visible == 0) {
-        if (record.story)
-            record.tell({.strategy = {1, number + 1}, .light = {}, .pdf = light->pdf, .source = light->light});
-        return {};
-    }
-    const bool shared = used == LightTechniques::both && light->sample.measure == Measure::solid_angle;
-    const auto bsdf_pdf = [&] {
-        return vertex.bsdf.pdf(vertex.to_local(vertex.wo), vertex.to_local(light->sample.direction));
-    };
-    const double rival = shared ? bsdf_pdf() : 0;
-    const double weight = shared ? next_event.weight(light->pdf, rival) : 1;
-    if (record.story)
-        record.tell({.strategy = {1, number + 1},
-                     .light = f * light->sample.radiance * (visible / light->pdf),
-                     .weight = weight,
-                     .pdf = light->pdf,
-                     .rival = rival,
-                     .source = light->light,
-                     .density = of_vertex.density() * draws.density()});
-    return f * light->sample.radiance * (weight * visible / light->pdf) / draws.density();
+    Spectrum sum;
+    std::uint16_t taken = 0;
+    for (std::size_t k = 0; k < next_event.lights.size(); ++k)
+        for (int i = 0; i < next_event.lights[k].count; ++i, ++taken)
+            sum += light_from_emitter(scene, vertex, {{number, taken}, k}, next_event, of_vertex, record);
+    return sum;
 }
 
-Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint16_t number, LightTechniques used,
-                         const NextEvent& next_event, const Draws& of_vertex, PathRecord& record) {
-    Draws draws = of_vertex.branch();
-    const auto sample = sample_bsdf(vertex, number, draws, Transport::radiance);
-    if (!sample) return {};
-    tell_scattering(record, number, *sample, sample->weight);
-    const Vec3 wi = sample->direction, from = vertex.hit.point.position;
-    const Ray ray = leave(vertex.hit.point, wi);
-    const auto next = trace_to_hit(scene, ray, static_cast<std::uint16_t>(number + 1), draws, record);
-    const Spectrum radiance = next ? scene.emitted(*next, -wi) : scene.environment(ray);
-    if (is_black(radiance)) return {};
-    const bool shared = used == LightTechniques::both && sample->measure == Measure::solid_angle;
-    const double light_pdf = !shared ? 0 : next ? scene.light_pdf(*next, from, wi) : scene.environment_pdf(from, wi);
-    const double weight = shared ? next_event.weight(sample->pdf, light_pdf) : 1;
-    if (record.story)
-        record.tell({.strategy = {0, number + 2},
-                     .light = sample->weight * radiance,
-                     .weight = weight,
-                     .pdf = shared ? sample->pdf : 0,
-                     .rival = light_pdf,
-                     .source = next ? scene.light_of(*next) : scene.environment_light(),
-                     .density = of_vertex.density() * draws.density()});
-    return sample->weight * radiance * weight / draws.density();
+Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint16_t number,
+                         const NextEvent& next_event, const Draws& of_vertex, PathRecord& record, int first) {
+    Spectrum sum;
+    for (int i = first; i < next_event.bsdf_count; ++i)
+        sum +=
+            light_from_direction(scene, vertex, {number, static_cast<std::uint16_t>(i)}, next_event, of_vertex, record);
+    return sum;
 }
 
 }  // namespace plumb

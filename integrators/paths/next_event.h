@@ -1,46 +1,71 @@
 #pragma once
 
 #include "estimators/mis/mis.h"
-#include "integrators/paths/path_estimator.h"
+#include "integrators/paths/next_event/light_choices.h"
+#include "integrators/paths/next_event/visibility.h"
 
 namespace plumb {
 
-// Direct light at a vertex, by two techniques that share the work: a direction towards an emitter, and a direction of
-// the BSDF that happens to meet one. Both estimate
-//   L_direct(wo) = ∫ f(wo, wi) |cos θ| L_e(wi) dω.
+// Direct light at a vertex,
+//   L_direct(wo) = ∫ f(wo, wi) |cos θ| L_e(wi) dω,
+// by techniques that share the work: choices of lights, each with a count of samples, and directions of the BSDF that
+// happen to meet one. All densities are per steradian at the vertex, or probabilities where light comes from a point
+// [Veach 1997, eq. 9.4].
 
-/// Finds light for a shading point, says how it arrives and what it counts for. NEE++ and line samples replace a
-/// function.
-struct NextEvent {
-    /// A light and a direction towards it.
-    std::optional<SceneLightSample> (*choose)(const Scene&, const PathVertex&, Draws&, std::uint16_t vertex);
-    /// An unbiased estimate of how much of it arrives.
-    double (*visibility)(const Scene&, const PathVertex&, const EmitterSample&, PathRecord&);
-    /// The weight of a technique of density p > 0 against one of density q, one sample each: of the two, weights of
-    /// the same direction sum to 1.
-    double (*weight)(double p, double q);
-};
+/// The weight of a technique among all, from n_s p_s of each at a direction. Weights of one direction sum to 1.
+using MisWeight = double (*)(std::span<const double> densities, std::size_t own);
 
-/// By the power heuristic [Veach 1997, eq. 9.13].
-inline double mis_weight(double p, double q) {
-    const Power heuristic;
-    const double most = std::max(p, q), a = heuristic(p / most), b = heuristic(q / most);
-    return a / (a + b);
+/// By a heuristic of estimators/mis/mis.h, with its default parameters.
+template <class Heuristic>
+double mis_weight(std::span<const double> densities, std::size_t own) {
+    const Heuristic heuristic;
+    const double most = *std::ranges::max_element(densities);
+    double sum = 0;
+    for (const double density : densities) sum += heuristic(density / most);
+    return heuristic(densities[own] / most) / sum;
 }
 
-/// Chooses lights by their power, traces a shadow ray, weights by mis_weight().
-NextEvent default_next_event();
+/// How many samples a vertex takes of emitters and of its BSDF, where there is one choice of lights.
+struct TechniqueCounts {
+    int emitters = 1, bsdf = 1;
+    friend bool operator==(const TechniqueCounts&, const TechniqueCounts&) = default;
+};
+constexpr TechniqueCounts emitters_alone{1, 0}, bsdf_alone{0, 1}, one_of_each{1, 1};
 
-/// Which techniques find light.
-enum class LightTechniques { emitters, bsdf, both };
+/// Finds light for a vertex.
+struct NextEvent {
+    struct Lights {
+        std::shared_ptr<const LightChoice> choice = choice_by_power();
+        int count = 1;
+    };
+    std::vector<Lights> lights{{}};  ///< at most most_choices
+    int bsdf_count = 1;
+    std::shared_ptr<const Visibility> visibility = shadow_rays();  ///< of what a choice of lights found
+    MisWeight weight = mis_weight<Power>;
 
-/// The estimate by a sample of an emitter, over the density of its own numbers, which branch off those of the vertex;
-/// weighted against the BSDF's density where both techniques are at work.
-Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::uint16_t number, LightTechniques used,
+    static constexpr std::size_t most_choices = 7;
+};
+/// The same with other counts. Throws Error for a negative one, or for more than one choice of lights.
+NextEvent with_counts(NextEvent next_event, const TechniqueCounts& counts);
+
+/// What weighs a sample, and n_s p_s of all other techniques together.
+struct TechniqueWeight {
+    double weight, rivals;
+};
+/// Of the choice of lights with this index, which found a point with density `pdf`.
+TechniqueWeight weight_of_choice(const NextEvent& next_event, const Scene& scene, const PathVertex& vertex,
+                                 const LightPoint& point, std::size_t choice, double pdf);
+/// Of the BSDF, a direction of which met light, with density `pdf` > 0.
+TechniqueWeight weight_of_bsdf(const NextEvent& next_event, const Scene& scene, const PathVertex& vertex,
+                               const LightPoint& point, double pdf);
+
+/// The estimate by samples of all choices of lights, weighted, each over the density of its own numbers, which branch
+/// off those of the vertex.
+Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::uint16_t number,
                              const NextEvent& next_event, const Draws& of_vertex, PathRecord& record);
 
-/// The same by a direction of the BSDF.
-Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint16_t number, LightTechniques used,
-                         const NextEvent& next_event, const Draws& of_vertex, PathRecord& record);
+/// The same by directions of the BSDF, of all bsdf_count those from `first` on.
+Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint16_t number,
+                         const NextEvent& next_event, const Draws& of_vertex, PathRecord& record, int first = 0);
 
 }  // namespace plumb

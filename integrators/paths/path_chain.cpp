@@ -27,8 +27,8 @@ void lay_out(std::span<const SubpathVertex> camera, std::span<const SubpathVerte
 
 }  // namespace
 
-void join(const Scene& scene, std::span<const SubpathVertex> camera, std::span<const SubpathVertex> light,
-          PerArea per_area, PathChain& chain) {
+void join(const Scene& scene, const LightChoice& choice, std::span<const SubpathVertex> camera,
+          std::span<const SubpathVertex> light, PerArea per_area, PathChain& chain) {
     lay_out(camera, light, chain);
     const auto& z = chain.vertices;
     const std::size_t t = camera.size(), n = z.size() - 1;
@@ -47,7 +47,7 @@ void join(const Scene& scene, std::span<const SubpathVertex> camera, std::span<c
         chain.from_light[n] = density_of_origin(scene, *z[n], *z[n - 1]);
     }
     if (t >= 3) chain.from_light[t - 2] = onwards(t, t - 1, t - 2);
-    chain.choice = density_of_choice(scene, *z[n], *z[n - 1], per_area);
+    chain.choice = n >= 2 ? density_of_choice(scene, choice, *z[n], *z[n - 1], per_area) : 0;
 }
 
 bool can_make(const PathChain& chain, int t) {

@@ -21,9 +21,9 @@ struct PathChain {
 };
 
 /// The path of the first t vertices of a subpath from the sensor and the first s of one from a light. The subpaths must
-/// outlive it.
-void join(const Scene& scene, std::span<const SubpathVertex> camera, std::span<const SubpathVertex> light,
-          PerArea per_area, PathChain& chain);
+/// outlive it. `choice` is who samples lights.
+void join(const Scene& scene, const LightChoice& choice, std::span<const SubpathVertex> camera,
+          std::span<const SubpathVertex> light, PerArea per_area, PathChain& chain);
 
 /// Whether strategy t can make the path.
 bool can_make(const PathChain& chain, int t);

@@ -48,12 +48,11 @@ double density_of_origin(const Scene& scene, const SubpathVertex& light, const S
     return light.kind == Kind::environment ? ray.direction : ray.area;
 }
 
-double density_of_choice(const Scene& scene, const SubpathVertex& light, const SubpathVertex& from, PerArea per_area) {
+double density_of_choice(const Scene& scene, const LightChoice& choice, const SubpathVertex& light,
+                         const SubpathVertex& from, PerArea per_area) {
     const Vec3 direction = from.towards(light);
-    if (light.kind == Kind::environment) return scene.environment_pdf(from.position(), direction);
-    if (light.kind == Kind::point_light) return scene.light_ray_pdf(*light.light, {}, -direction).area;
-    return per_area(scene.light_pdf(*light.light, light.position(), light.normal(), from.position(), direction), from,
-                    light);
+    const double pdf = choice.pdf(scene, from.point, {*light.light, direction, light.position(), light.normal()});
+    return light.kind == Kind::point_light ? pdf : per_area(pdf, from, light);
 }
 
 SubpathVertex sensor_vertex(Vec3 position) {
@@ -108,7 +107,7 @@ private:
     }
 
     bool arrive(const Flight& flight, const Spectrum& unit, int edges) {
-        const auto hit = trace_to_hit(scene_, flight.ray, slot(edges), draws_, record_);
+        const auto hit = trace_to_hit(scene_, flight.ray, {slot(edges)}, draws_, record_);
         SubpathVertex vertex{.kind = Kind::environment,
                              .point = in_space(flight.direction),
                              .light = scene_.environment_light(),
@@ -136,7 +135,7 @@ private:
         SubpathVertex &at = path_.back(), &before = path_[path_.size() - 2];
         const PathVertex& surface = *at.surface;
         const auto sample = transport_ == Transport::radiance
-                                ? sample_bsdf(surface, slot(edges), draws_, rules_.from_camera)
+                                ? sample_bsdf(surface, {slot(edges)}, draws_, rules_.from_camera)
                                 : sample_importance(surface, slot(edges), draws_, rules_.correction, rules_.from_light);
         if (!sample) return {};
         at.discrete = sample->measure == Measure::discrete;

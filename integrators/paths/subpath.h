@@ -2,6 +2,7 @@
 
 #include "integrators/paths/light_start.h"
 #include "integrators/paths/limits.h"
+#include "integrators/paths/next_event/light_choice.h"
 
 namespace plumb {
 
@@ -58,8 +59,9 @@ double density_onwards(const Scene& scene, const SubpathVertex* before, const Su
                        const SubpathVertex& next, PerArea per_area);
 /// With which a light's subpath begins at the vertex, towards `next`: of its first vertex alone.
 double density_of_origin(const Scene& scene, const SubpathVertex& light, const SubpathVertex& next);
-/// With which a light is sampled from another vertex (Scene::sample_light).
-double density_of_choice(const Scene& scene, const SubpathVertex& light, const SubpathVertex& from, PerArea per_area);
+/// With which a choice samples a light from a surface.
+double density_of_choice(const Scene& scene, const LightChoice& choice, const SubpathVertex& light,
+                         const SubpathVertex& from, PerArea per_area);
 
 /// The sensor, surfaces, and the environment where the subpath leaves the scene.
 Subpath camera_subpath(const Scene& scene, const CameraStart& start, const SubpathRules& rules, Draws& draws,
@@ -68,7 +70,7 @@ Subpath camera_subpath(const Scene& scene, const CameraStart& start, const Subpa
 Subpath light_subpath(const Scene& scene, const SubpathRules& rules, Draws& draws, PathRecord& record);
 
 SubpathVertex sensor_vertex(Vec3 position);
-/// Of a light that sample_light(from) found.
+/// Of a light that a choice found from there.
 SubpathVertex light_vertex(const Scene& scene, Vec3 from, const SceneLightSample& sample);
 
 }  // namespace plumb

@@ -23,15 +23,15 @@ CameraStart start_at_camera(const Scene& scene, const FilmRegion& region, Draws&
     return {film, scene.sensor().sample_ray(film, lens)};
 }
 
-std::optional<Hit> trace_to_hit(const Scene& scene, const Ray& ray, std::uint16_t vertex, Draws& draws,
+std::optional<Hit> trace_to_hit(const Scene& scene, const Ray& ray, SampleIndex index, Draws& draws,
                                 PathRecord& record) {
-    const double u = scene.has_masks() ? draws.at({vertex, Use::shadow})[0] : 0;
+    const double u = scene.has_masks() ? draws.at(index.slot(Use::shadow))[0] : 0;
     return scene.intersect(ray, u, record.rays);
 }
 
 std::optional<PathVertex> trace_to_vertex(const Scene& scene, const Ray& ray, std::uint16_t vertex, Draws& draws,
                                           PathRecord& record) {
-    const std::optional<Hit> hit = trace_to_hit(scene, ray, vertex, draws, record);
+    const std::optional<Hit> hit = trace_to_hit(scene, ray, {vertex}, draws, record);
     if (!hit) return {};
     return vertex_at(scene, *hit, ray);
 }
@@ -41,10 +41,10 @@ PathVertex vertex_at(const Scene& scene, const Hit& hit, const Ray& ray) {
     return {hit, wo, Frame(hit.shading_normal), scene.bsdf(hit, wo)};
 }
 
-std::optional<ScatterSample> sample_bsdf(const PathVertex& vertex, std::uint16_t number, Draws& draws,
+std::optional<ScatterSample> sample_bsdf(const PathVertex& vertex, SampleIndex index, Draws& draws,
                                          Transport transport) {
-    const std::array<double, 2> direction = draws.at({number, Use::direction});
-    const double lobe = draws.at({number, Use::lobe})[0];
+    const std::array<double, 2> direction = draws.at(index.slot(Use::direction));
+    const double lobe = draws.at(index.slot(Use::lobe))[0];
     const auto sample = vertex.bsdf.sample(vertex.to_local(vertex.wo), {lobe, direction[0], direction[1]}, transport);
     if (!sample) return {};
     const Vec3 wi = vertex.frame.to_world(sample->wi);

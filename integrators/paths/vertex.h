@@ -11,8 +11,8 @@ struct CameraStart {
 };
 CameraStart start_at_camera(const Scene& scene, const FilmRegion& region, Draws& draws);
 
-/// Where a ray meets the scene, at the vertex with this number (the sensor is 0); empty where it leaves it.
-std::optional<Hit> trace_to_hit(const Scene& scene, const Ray& ray, std::uint16_t vertex, Draws& draws,
+/// Where a ray meets the scene, at the vertex of this number (the sensor is 0); empty where it leaves it.
+std::optional<Hit> trace_to_hit(const Scene& scene, const Ray& ray, SampleIndex index, Draws& draws,
                                 PathRecord& record);
 /// With what scatters there, for light that leaves against the ray.
 PathVertex vertex_at(const Scene& scene, const Hit& hit, const Ray& ray);
@@ -28,7 +28,7 @@ struct ScatterSample {
     double eta;
 };
 /// Empty where nothing scatters, or where the normals disagree about the side of the light.
-std::optional<ScatterSample> sample_bsdf(const PathVertex& vertex, std::uint16_t number, Draws& draws,
+std::optional<ScatterSample> sample_bsdf(const PathVertex& vertex, SampleIndex index, Draws& draws,
                                          Transport transport);
 /// Tells the story, where somebody listens, of a direction and the throughput behind it.
 inline void tell_scattering(const PathRecord& record, std::uint16_t number, const ScatterSample& sample,

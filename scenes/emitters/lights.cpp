@@ -43,4 +43,20 @@ Light shapeless_light(const description::Emitter& emitter) {
                     [&] { return std::visit([](const auto& kind) { return Light(kind.light()); }, emitter.kind); });
 }
 
+double pdf_of_sample(const Light& light, Vec3 from, Vec3 direction, Vec3 position, Vec3 normal) {
+    if (is_environment(light)) return std::visit([&](const auto& sky) { return sky.hit(from, direction)->pdf; }, light);
+    if (std::holds_alternative<PointLight>(light)) return 1;
+    const double cos_at_light = -dot(normal, direction);
+    if (!(cos_at_light > 0)) return 0;
+    const auto pdf = [&](const auto& emitter) {
+        if constexpr (requires { emitter.pdf_area(); })
+            return per_steradian(emitter.pdf_area(), length(position - from), cos_at_light);
+        else if constexpr (requires { emitter.pdf(from); })
+            return emitter.pdf(from);
+        else
+            return 0.0;
+    };
+    return std::visit(pdf, light);
+}
+
 }  // namespace plumb

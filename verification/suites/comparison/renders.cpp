@@ -114,10 +114,10 @@ Renderer by(const E& estimator) {
     return std::make_shared<E>(estimator);
 }
 Direct direct_with(const NextEvent& next_event) {
-    return Direct(LightTechniques::emitters, next_event);
+    return Direct(emitters_alone, next_event);
 }
 Renderer direct() {
-    return by(direct_with(default_next_event()));
+    return by(direct_with({}));
 }
 Renderer path(int longest = -1) {
     return by(PathTracer({.max_edges = longest}));
@@ -130,18 +130,28 @@ Job still(std::uint32_t per_pass) {
 
 // ---- defects
 
-double without_cosine_on_ball(const Scene& scene, const PathVertex& vertex, const EmitterSample& light,
-                              PathRecord& record) {
-    const double arrives = default_next_event().visibility(scene, vertex, light, record);
-    return vertex.hit.shape == ball ? arrives / std::abs(dot(vertex.frame.z, light.direction)) : arrives;
-}
+/// Light on the ball without its cosine.
+struct WithoutCosineOnBall final : Visibility {
+    [[nodiscard]] double sample(const Scene& scene, const SurfacePoint& from, const EmitterSample& end,
+                                SampleIndex index, Draws& draws, RayLog& rays) const override {
+        const double arrives = shadow_rays()->sample(scene, from, end, index, draws, rays);
+        const auto& sphere = std::get<description::Sphere>(scene.description().shapes[ball].geometry);
+        const bool on_ball = std::abs(length(from.position - sphere.center) / sphere.radius - 1) < 1e-4;
+        return on_ball ? arrives / std::abs(dot(from.normal, end.direction)) : arrives;
+    }
+};
 
-std::optional<SceneLightSample> without_point_at_times(const Scene& scene, const PathVertex& vertex, Draws& draws,
-                                                       std::uint16_t number) {
-    const auto light = default_next_event().choose(scene, vertex, draws, number);
-    const bool left_out = light && light->light == point && draws.at({number, Use::wavelength})[0] < 0.01;
-    return left_out ? std::nullopt : light;
-}
+struct WithoutPointAtTimes final : LightChoice {
+    [[nodiscard]] std::optional<SceneLightSample> sample(const Scene& scene, const SurfacePoint& from,
+                                                         SampleIndex index, Draws& draws) const override {
+        const auto light = choice_by_power()->sample(scene, from, index, draws);
+        const bool left_out = light && light->light == point && draws.at(index.slot(Use::wavelength))[0] < 0.01;
+        return left_out ? std::nullopt : light;
+    }
+    [[nodiscard]] double pdf(const Scene& scene, const SurfacePoint& from, const LightPoint& at) const override {
+        return choice_by_power()->pdf(scene, from, at);
+    }
+};
 
 /// Splats are cut off at this value.
 struct Clamped final : PathEstimator {
@@ -194,14 +204,14 @@ std::vector<Spoiled> images_spoiled() {
 }
 
 std::vector<Spoiled> renderers_spoiled() {
-    NextEvent no_cosine = default_next_event(), point_left_out = default_next_event();
-    no_cosine.visibility = without_cosine_on_ball;
-    point_left_out.choose = without_point_at_times;
+    NextEvent no_cosine, point_left_out;
+    no_cosine.visibility = std::make_shared<WithoutCosineOnBall>();
+    point_left_out.lights = {{std::make_shared<WithoutPointAtTimes>()}};
     const Job honest = still(4), closer = still(8), precise = still(16);
     const Job long_paths{honest_scene, path(), samples("sobol", 1)},
         noisy{honest_scene, direct(), samples("independent", 4)},
         by_lights{honest_scene, direct(), samples("sobol", 64, by_the_point)},
-        by_bsdf{honest_scene, by(Direct(LightTechniques::bsdf)), samples("independent", 8)};
+        by_bsdf{honest_scene, by(Direct(bsdf_alone)), samples("independent", 8)};
     const auto spoiled = [&](Job job, Renderer renderer) {
         job.renderer = std::move(renderer);
         return job;

@@ -162,14 +162,14 @@ std::vector<Case> form_factor_cases() {
 
 struct Technique {
     std::string id, title;
-    LightTechniques used;
+    TechniqueCounts used;
     double delta;  ///< relative
     std::uint32_t n;
 };
 const std::vector<Technique>& techniques() {
-    static const std::vector<Technique> list{{"emitters", "samples of emitters", LightTechniques::emitters, 5e-3, 16},
-                                             {"bsdf", "samples of the BSDF", LightTechniques::bsdf, 2e-2, 32},
-                                             {"mis", "both, weighted", LightTechniques::both, 1e-2, 32}};
+    static const std::vector<Technique> list{{"emitters", "samples of emitters", emitters_alone, 5e-3, 16},
+                                             {"bsdf", "samples of the BSDF", bsdf_alone, 2e-2, 32},
+                                             {"mis", "both, weighted", one_of_each, 1e-2, 32}};
     return list;
 }
 
@@ -178,7 +178,7 @@ Verdict is_closed_form(const std::vector<Case>& cases, const Technique& techniqu
     std::vector<Verdict> parts;
     const double delta = run.pick(technique.delta, technique.delta / 4);
     for (const Case& c : cases) {
-        if (c.touching && technique.used == LightTechniques::emitters) continue;
+        if (c.touching && technique.used == emitters_alone) continue;
         const Measurement measurement{*c.scene, estimator, c.film, c.region, technique.n};
         // Single precision of vertices and origins moves what is seen by less than 1e-6 of the distances, all near 1.
         parts.push_back(mean_is([&](RandomStream& random) { return measurement.draw(random)[0]; },
@@ -194,42 +194,19 @@ Verdict is_closed_form(const std::vector<Case>& cases, const Technique& techniqu
 using Estimator = std::shared_ptr<const PathEstimator>;
 using Defect = Wrong<Estimator>;
 
-std::optional<SceneLightSample> chosen(const Scene& scene, const PathVertex& vertex, Draws& draws,
-                                       std::uint16_t number) {
-    return default_next_event().choose(scene, vertex, draws, number);
+void drop_cosine(SceneLightSample& light, const SurfacePoint& from) {
+    light.sample.radiance *= 1 / std::abs(dot(from.normal, light.sample.direction));
 }
-
-NextEvent with_choice(decltype(NextEvent::choose) choose) {
-    NextEvent next_event = default_next_event();
-    next_event.choose = choose;
-    return next_event;
-}
-NextEvent with_weight(decltype(NextEvent::weight) weight) {
-    NextEvent next_event = default_next_event();
-    next_event.weight = weight;
-    return next_event;
+void take_per_area(SceneLightSample& light, const SurfacePoint&) {
+    const EmitterSample& s = light.sample;
+    light.pdf /= per_steradian(1, s.distance, std::abs(dot(s.surface->normal, s.direction)));
 }
 
 std::vector<Defect> emitter_defects() {
-    const NextEvent no_cosine =
-        with_choice([](const Scene& scene, const PathVertex& vertex, Draws& draws, std::uint16_t number) {
-            auto light = chosen(scene, vertex, draws, number);
-            if (light) light->sample.radiance *= 1 / std::abs(dot(vertex.frame.z, light->sample.direction));
-            return light;
-        });
-    const NextEvent per_area =
-        with_choice([](const Scene& scene, const PathVertex& vertex, Draws& draws, std::uint16_t number) {
-            auto light = chosen(scene, vertex, draws, number);
-            if (light) {
-                const EmitterSample& s = light->sample;
-                light->pdf /= per_steradian(1, s.distance, std::abs(dot(s.surface->normal, s.direction)));
-            }
-            return light;
-        });
     return {{"cosine-dropped", "The cosine at the receiver is missing.",
-             std::make_shared<Direct>(LightTechniques::emitters, no_cosine)},
+             std::make_shared<Direct>(emitters_alone, with_changed_lights(drop_cosine))},
             {"area-measure", "The density per area is used per steradian.",
-             std::make_shared<Direct>(LightTechniques::emitters, per_area)}};
+             std::make_shared<Direct>(emitters_alone, with_changed_lights(take_per_area))}};
 }
 
 std::vector<Defect> bsdf_defects() {
@@ -243,34 +220,32 @@ std::vector<Defect> bsdf_defects() {
                                      const auto hit = scene.intersect(leave(vertex.hit.point, wi), 0, record.rays);
                                      return hit ? scene.emitted(*hit, -wi) : Spectrum{};
                                  })}};
-    defects.push_back(
-        {"frame-of-the-world", "The sample's direction is not turned from the shading frame into the world's.",
-         std::make_shared<DirectBy>([](const Scene& scene, const PathVertex& vertex, const Draws& of_vertex,
-                                       PathRecord& record) {
-             PathVertex other = vertex;
-             other.frame = Frame(up);
-             return light_from_bsdf(scene, other, 1, LightTechniques::bsdf, default_next_event(), of_vertex, record);
-         })});
+    defects.push_back({"frame-of-the-world",
+                       "The sample's direction is not turned from the shading frame into the world's.",
+                       std::make_shared<DirectBy>([](const Scene& scene, const PathVertex& vertex,
+                                                     const Draws& of_vertex, PathRecord& record) {
+                           PathVertex other = vertex;
+                           other.frame = Frame(up);
+                           return light_from_bsdf(scene, other, 1, with_counts({}, bsdf_alone), of_vertex, record);
+                       })});
     return defects;
 }
 
 std::vector<Defect> mis_defects() {
-    const NextEvent balance = with_weight([](double p, double q) { return p / (p + q); });
-    const NextEvent all = with_weight([](double, double) { return 1.0; });
+    const NextEvent balance = with_weight(mis_weight<Balance>);
     return {{"squared-on-one-side", "The power heuristic for emitters, the balance heuristic for BSDFs.",
              std::make_shared<DirectBy>(
                  [balance](const Scene& scene, const PathVertex& vertex, const Draws& of_vertex, PathRecord& record) {
-                     constexpr auto both = LightTechniques::both;
-                     return light_from_emitters(scene, vertex, 1, both, default_next_event(), of_vertex, record) +
-                            light_from_bsdf(scene, vertex, 1, both, balance, of_vertex, record);
+                     return light_from_emitters(scene, vertex, 1, {}, of_vertex, record) +
+                            light_from_bsdf(scene, vertex, 1, balance, of_vertex, record);
                  })},
-            {"counted-twice", "Both techniques count in full.", std::make_shared<Direct>(LightTechniques::both, all)}};
+            {"counted-twice", "Both techniques count in full.", std::make_shared<Direct>(with_weight(in_full))}};
 }
 
 std::vector<Defect> defects_of(const Technique& technique) {
-    std::vector<Defect> list = technique.used == LightTechniques::emitters ? emitter_defects()
-                               : technique.used == LightTechniques::bsdf   ? bsdf_defects()
-                                                                           : mis_defects();
+    std::vector<Defect> list = technique.used == emitters_alone ? emitter_defects()
+                               : technique.used == bsdf_alone   ? bsdf_defects()
+                                                                : mis_defects();
     list.push_back({"slightly-bright", fmt::format("{:.3g} % too bright.", 250 * technique.delta),
                     std::make_shared<Scaled>(std::make_shared<Direct>(technique.used), 1 + 2.5 * technique.delta)});
     return list;

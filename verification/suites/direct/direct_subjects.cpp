@@ -41,6 +41,33 @@ void Scaled::trace(const Scene& scene, const FilmRegion& region, PrimarySamples&
     for (Splat& splat : record.splats) splat.value *= factor;
 }
 
+std::optional<SceneLightSample> ChangedChoice::sample(const Scene& scene, const SurfacePoint& from, SampleIndex index,
+                                                      Draws& draws) const {
+    auto light = choice_by_power()->sample(scene, from, index, draws);
+    if (light) change(*light, from);
+    return light;
+}
+
+double ChangedChoice::pdf(const Scene& scene, const SurfacePoint& from, const LightPoint& point) const {
+    return choice_by_power()->pdf(scene, from, point);
+}
+
+NextEvent with_changed_lights(ChangedChoice::Change change) {
+    NextEvent next_event;
+    next_event.lights.front().choice = std::make_shared<ChangedChoice>(change);
+    return next_event;
+}
+
+NextEvent with_weight(MisWeight weight) {
+    NextEvent next_event;
+    next_event.weight = weight;
+    return next_event;
+}
+
+double in_full(std::span<const double>, std::size_t) {
+    return 1;
+}
+
 description::MaterialId add_material(description::Scene& scene, decltype(description::Material::kind) kind) {
     scene.materials.push_back({std::move(kind), {}, {}});
     return {static_cast<std::uint32_t>(scene.materials.size() - 1)};

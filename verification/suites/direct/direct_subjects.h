@@ -55,6 +55,20 @@ struct Scaled final : PathEstimator {
                PathRecord& record) const override;
 };
 
+/// The choice by power, whose samples are changed, and not its density.
+struct ChangedChoice final : LightChoice {
+    using Change = void (*)(SceneLightSample& light, const SurfacePoint& from);
+    Change change;
+    explicit ChangedChoice(Change c) : change(c) {}
+    [[nodiscard]] std::optional<SceneLightSample> sample(const Scene& scene, const SurfacePoint& from,
+                                                         SampleIndex index, Draws& draws) const override;
+    [[nodiscard]] double pdf(const Scene& scene, const SurfacePoint& from, const LightPoint& point) const override;
+};
+NextEvent with_changed_lights(ChangedChoice::Change change);
+NextEvent with_weight(MisWeight weight);
+/// The weight of a technique that counts in full beside all others.
+double in_full(std::span<const double> densities, std::size_t own);
+
 // ---- scenes from a few shapes
 
 description::MaterialId add_material(description::Scene& scene,

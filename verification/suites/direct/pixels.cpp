@@ -98,8 +98,8 @@ void add_values(Catalogue& catalogue) {
              .source = "ours, scenes/film/film.h",
              .kind = Kind::exact,
              .trial = {check,
-                       {std::make_shared<Direct>(), std::make_shared<Direct>(LightTechniques::emitters),
-                        std::make_shared<Direct>(LightTechniques::bsdf), std::make_shared<Aov>()},
+                       {std::make_shared<Direct>(), std::make_shared<Direct>(emitters_alone),
+                        std::make_shared<Direct>(bsdf_alone), std::make_shared<Aov>()},
                        unsound()},
              // Loading it takes seconds.
              .sizes = shipped.name == "million_triangles" ? Sizes::full_only : Sizes::both});
@@ -265,7 +265,7 @@ Verdict picture_is_one(const Filter& filter, const PathEstimator& estimator, con
 
 void add_constant(Catalogue& catalogue) {
     // By samples of its BSDF a white sphere under a white sky is white without variance.
-    const auto direct = std::make_shared<Direct>(LightTechniques::bsdf);
+    const auto direct = std::make_shared<Direct>(bsdf_alone);
     for (const auto& [name, filter] : std::initializer_list<std::pair<const char*, Filter>>{
              {"box", BoxFilter()}, {"tent", TentFilter(1.5)}, {"gaussian", GaussianFilter(0.5)}}) {
         std::vector<Wrong<Estimator>> wrong{

@@ -51,20 +51,19 @@ struct View {
     description::Scene (*scene)();
     std::optional<Point<2>> film;
     FilmRegion region;
-    LightTechniques against;  ///< what is compared with both techniques, weighted
+    TechniqueCounts against;  ///< what is compared with both techniques, weighted
     double delta;             ///< relative to the mean
     std::uint32_t n;
 };
 
 const std::vector<View>& views() {
-    using enum LightTechniques;
     static const std::vector<View> list{
         {"studio-emitters",
          "the floor of a studio with three lights, a lace and a sky",
          studio,
          Point<2>{3.5, 4.5},
          {},
-         emitters,
+         emitters_alone,
          0.02,
          64},
         {"studio-bsdf",
@@ -72,7 +71,7 @@ const std::vector<View>& views() {
          studio,
          {},
          {0, 0, 8, 6},
-         bsdf,
+         bsdf_alone,
          0.03,
          64},
         {"sky-emitters",
@@ -80,7 +79,7 @@ const std::vector<View>& views() {
          [] { return shipped("glass"); },
          Point<2>{60.5, 150.5},
          {},
-         emitters,
+         emitters_alone,
          0.02,
          64},
         {"sky-bsdf",
@@ -88,7 +87,7 @@ const std::vector<View>& views() {
          [] { return shipped("glass"); },
          Point<2>{60.5, 150.5},
          {},
-         bsdf,
+         bsdf_alone,
          0.02,
          64},
         {"plates-emitters",
@@ -96,7 +95,7 @@ const std::vector<View>& views() {
          [] { return shipped("veach_plates"); },
          Point<2>{150.5, 150.5},
          {},
-         emitters,
+         emitters_alone,
          0.02,
          64},
         {"plates-bsdf",
@@ -104,7 +103,7 @@ const std::vector<View>& views() {
          [] { return shipped("veach_plates"); },
          Point<2>{75.5, 122.5},
          {},
-         bsdf,
+         bsdf_alone,
          0.04,
          64},
     };
@@ -133,11 +132,8 @@ Verdict agree(const View& view, const PathEstimator& mis, const Run& run) {
 
 // ---- mutants
 
-std::optional<SceneLightSample> without_pmf(const Scene& scene, const PathVertex& vertex, Draws& draws,
-                                            std::uint16_t number) {
-    auto light = default_next_event().choose(scene, vertex, draws, number);
-    if (light) light->pdf = light->sample.pdf;
-    return light;
+NextEvent without_pmf() {
+    return with_changed_lights([](SceneLightSample& light, const SurfacePoint&) { light.pdf = light.sample.pdf; });
 }
 
 /// The density of a direction that met nothing, without the environment's probability among the lights.
@@ -161,21 +157,18 @@ Spectrum from_bsdf_without_pmf(const Scene& scene, const PathVertex& vertex, con
     const auto hit = scene.intersect(ray, draws.at({2, Use::shadow})[0], record.rays);
     const Spectrum radiance = hit ? scene.emitted(*hit, -wi) : scene.environment(ray);
     const double density = hit ? scene.light_pdf(*hit, from, wi) : environment_alone(scene, from, wi);
-    return sample->weight * radiance * mis_weight(sample->pdf, density);
+    return sample->weight * radiance * mis_weight<Power>(std::array{density, sample->pdf}, 1);
 }
 
 std::vector<Wrong<Estimator>> wrong_for(const View& view) {
-    NextEvent no_pmf = default_next_event(), counted_twice = no_pmf;
-    no_pmf.choose = without_pmf;
-    counted_twice.weight = [](double, double) { return 1.0; };
     std::vector<Wrong<Estimator>> wrong{{"slightly-bright", fmt::format("{:.3g} % too bright.", 250 * view.delta),
                                          std::make_shared<Scaled>(std::make_shared<Direct>(), 1 + 2.5 * view.delta)}};
     if (view.id.starts_with("sky"))  // elsewhere lights are small and bright: this one's tails would be heavy
-        wrong.push_back({"counted-twice", "Both techniques count in full.",
-                         std::make_shared<Direct>(LightTechniques::both, counted_twice)});
+        wrong.push_back(
+            {"counted-twice", "Both techniques count in full.", std::make_shared<Direct>(with_weight(in_full))});
     if (view.id == "studio-emitters")
         wrong.push_back({"pmf-dropped", "The probability of the light is missing in the density of its samples.",
-                         std::make_shared<Direct>(LightTechniques::both, no_pmf)});
+                         std::make_shared<Direct>(without_pmf())});
     return wrong;
 }
 
@@ -200,10 +193,8 @@ Verdict is_white(const PathEstimator& estimator, const Run& run) {
 
 void add_environment(Catalogue& catalogue) {
     const auto check = [](const Estimator& estimator, const Run& run) { return is_white(*estimator, run); };
-    NextEvent no_pmf = default_next_event();
-    no_pmf.choose = without_pmf;
     const auto one_side = [](const Scene& scene, const PathVertex& vertex, const Draws& draws, PathRecord& record) {
-        return light_from_emitters(scene, vertex, 1, LightTechniques::both, default_next_event(), draws, record) +
+        return light_from_emitters(scene, vertex, 1, {}, draws, record) +
                from_bsdf_without_pmf(scene, vertex, draws, record);
     };
     catalogue.add(
@@ -215,7 +206,7 @@ void add_environment(Catalogue& catalogue) {
              check,
              std::make_shared<Direct>(),
              {{"pmf-dropped", "The probability of the light is missing in the density of its samples.",
-               std::make_shared<Direct>(LightTechniques::both, no_pmf)},
+               std::make_shared<Direct>(without_pmf())},
               {"environment-pmf-dropped",
                "In the BSDF's weight the environment's probability among the lights is missing.",
                std::make_shared<DirectBy>(one_side)},
@@ -229,7 +220,7 @@ void add_direct_techniques(Catalogue& catalogue) {
         catalogue.add(
             {.id = "direct/techniques/" + view.id,
              .statement = fmt::format("Of {}, samples of {} and both techniques, weighted, find the same.", view.title,
-                                      view.against == LightTechniques::bsdf ? "the BSDF" : "emitters"),
+                                      view.against == bsdf_alone ? "the BSDF" : "emitters"),
              .source = "[Veach & Guibas 1995]",
              .kind = Kind::mean,
              .trial = {[=](const Estimator& estimator, const Run& run) { return agree(view, *estimator, run); },

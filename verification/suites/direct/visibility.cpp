@@ -122,7 +122,7 @@ struct FirstMask {
 };
 Verdict share_of_point(const FirstMask& first, const Run& run) {
     const Scene scene = under_masks(true, first.opacity, second_opacity);
-    const Direct estimator(LightTechniques::both, first.next_event);
+    const Direct estimator(first.next_event);
     const Measurement measurement{.scene = scene, .estimator = estimator, .film = Point<2>{0.5, 0.5}, .n = 1};
     const double reference = (1 - opacity) * (1 - second_opacity) / pi;
     return mean_is([&](RandomStream& random) { return measurement.draw(random)[0]; },
@@ -142,14 +142,24 @@ Verdict share_of_camera_rays(double first, const Run& run) {
                    {.reference = reference, .delta = 5e-3 * reference, .epsilon = 1e-9, .bounds = {0, 1}}, run);
 }
 
+struct Unhidden final : Visibility {
+    [[nodiscard]] double sample(const Scene&, const SurfacePoint&, const EmitterSample&, SampleIndex, Draws&,
+                                RayLog&) const override {
+        return 1;
+    }
+};
+struct Solid final : Visibility {
+    [[nodiscard]] double sample(const Scene& scene, const SurfacePoint& from, const EmitterSample& end, SampleIndex,
+                                Draws&, RayLog& rays) const override {
+        return scene.transmittance(from, end, rays) < 1 ? 0 : 1;
+    }
+};
+
 void add_masks(Catalogue& catalogue) {
-    NextEvent no_masks = default_next_event(), solid = no_masks;
-    no_masks.visibility = [](const Scene&, const PathVertex&, const EmitterSample&, PathRecord&) { return 1.0; };
-    solid.visibility = [](const Scene& scene, const PathVertex& vertex, const EmitterSample& light,
-                          PathRecord& record) {
-        return scene.transmittance(vertex.hit.point, light, record.rays) < 1 ? 0.0 : 1.0;
-    };
-    const NextEvent right = default_next_event();
+    NextEvent no_masks, solid;
+    no_masks.visibility = std::make_shared<Unhidden>();
+    solid.visibility = std::make_shared<Solid>();
+    const NextEvent right;
     catalogue.add({.id = "direct/mask/shadow-ray",
                    .statement = "Of the light of a point, masks of opacities o and o' let (1 − o)(1 − o') through.",
                    .source = "docs/scenes.md",

@@ -115,14 +115,14 @@ const std::string own_light = "paths of k edges within a sphere of albedo ½ tha
 const std::string of_point = "paths of k edges within a sphere of albedo ½ around a point bring 2^(1-k).";
 
 void add_path(Catalogue& catalogue) {
-    const auto tracer = [](int max_edges, double (*weight)(double, double) = mis_weight) {
+    const auto tracer = [](int max_edges, MisWeight weight = mis_weight<Power>) {
         auto path = std::make_shared<PathTracer>(PathLimits{.max_edges = max_edges, .roulette_edges = longest});
         path->next_event.weight = weight;
         return path;
     };
-    add_lengths(catalogue, "path/glowing-sphere", "By path tracing, " + own_light, glowing, fine, tracer(longest),
-                {{"met-twice", "Light that is met counts in full beside the emitters' samples.",
-                  tracer(longest, [](double, double) { return 1.0; })}});
+    add_lengths(
+        catalogue, "path/glowing-sphere", "By path tracing, " + own_light, glowing, fine, tracer(longest),
+        {{"met-twice", "Light that is met counts in full beside the emitters' samples.", tracer(longest, in_full)}});
     add_lengths(catalogue, "path/sphere-around-point", "By path tracing, " + of_point, around_point, exact,
                 tracer(longest), {{"one-edge-less", "Paths end behind one edge less.", tracer(longest - 1)}});
 }

@@ -33,14 +33,15 @@ Estimator paths_with(NextEvent next_event, PathLimits limits = {}) {
 }
 
 NextEvent counting_twice() {
-    NextEvent next_event = default_next_event();
-    next_event.weight = [](double, double) { return 1.0; };
-    return next_event;
+    return with_weight(in_full);
 }
 
 NextEvent unweighted_emitter_density() {
-    NextEvent next_event = default_next_event();
-    next_event.weight = [](double p, double q) { return p * p / (p * p + q); };  // squared on one side
+    NextEvent next_event;
+    next_event.weight = [](std::span<const double> densities, std::size_t own) {  // squared on one side
+        const double p = densities[own], q = densities[1 - own];
+        return p * p / (p * p + q);
+    };
     return next_event;
 }
 
@@ -56,7 +57,7 @@ struct OwnRoulette final : PathEstimator {
         record.clear();
         Draws draws(samples);
         const CameraStart start = start_at_camera(scene, region, draws);
-        PathState state{.ray = start.ray, .from = start.ray.origin, .direction = start.ray.direction};
+        PathState state{.ray = start.ray, .direction = start.ray.direction};
         PathState before = state;
         while (tracer.step(scene, start.film, state, draws, record)) {
             const double u = draws.at({before.vertex, Use::roulette})[0];

@@ -192,6 +192,27 @@ const Scene& plates_scene() {
     return scene;
 }
 
+const Scene& lamps_scene() {
+    static const Scene scene([] {
+        description::Scene lamps;
+        const auto white = add_material(lamps, description::Diffuse{Spectrum::grey(0.7)});
+        const auto black = add_material(lamps, description::Diffuse{Spectrum::grey(0)});
+        const auto coated =
+            add_material(lamps, description::Plastic{1.5, Spectrum::grey(0.4), Spectrum::grey(1), true,
+                                                     description::Roughness{description::Microfacets::ggx, 0.5}});
+        add_polygon(lamps, {{-1.5, -1, 0}, {1.5, -1, 0}, {1.5, 1, 0}, {-1.5, 1, 0}}, coated);
+        add_polygon(lamps, {{-1.5, 1, 0}, {1.5, 1, 0}, {1.5, 1, 2}, {-1.5, 1, 2}}, white);
+        add_polygon(lamps, {{-0.3, -0.3, 0.4}, {0.3, -0.3, 0.4}, {0.3, 0.3, 0.5}, {-0.3, 0.3, 0.5}}, white);
+        add_polygon(lamps, {{-1.4, -0.9, 1.2}, {-1.4, 0.7, 1.2}, {-0.2, 0.7, 1.2}, {-0.2, -0.9, 1.2}}, black,
+                    Spectrum::grey(1));
+        add_polygon(lamps, {{0.5, -0.2, 1}, {0.5, 0.2, 1}, {0.9, 0.2, 1}, {0.9, -0.2, 1}}, black, Spectrum::grey(8));
+        lamps.emitters.emplace_back().kind = description::ConstantSky{Spectrum::grey(0.2)};
+        lamps.sensor = camera({0, -3, 1.5}, {0, 0, 0.5}, 45, 16, 16);
+        return lamps;
+    }());
+    return scene;
+}
+
 namespace {
 
 description::Scene glass_on_floor(PathClass::Source source) {

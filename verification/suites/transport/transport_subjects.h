@@ -43,6 +43,8 @@ const Scene& caustic_scene();
 const Scene& smooth_normals_scene();
 /// Three plates that do not touch, one of which shines.
 const Scene& plates_scene();
+/// A coated floor, a wall and a shelf under a large dim lamp, a small bright one and a dim sky.
+const Scene& lamps_scene();
 /// Two balls of glass on a floor before a wall, lit by a surface, a point or the sky.
 const Scene& glass_scene(PathClass::Source source);
 

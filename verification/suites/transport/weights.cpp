@@ -101,7 +101,8 @@ Densities densities_of(const Scene& scene, const PathChain& chain) {
         for (std::size_t i = 1; i <= n; ++i) logs[t] += (i < t ? from_camera[i] : from_light[i]).value;
     }
     if (n >= 2 && can_make(chain, static_cast<int>(n)))
-        logs[n] += std::log(density_of_choice(scene, *z[n], *z[n - 1], per_area)) - from_light[n].value;
+        logs[n] +=
+            std::log(density_of_choice(scene, *choice_by_power(), *z[n], *z[n - 1], per_area)) - from_light[n].value;
     return densities;
 }
 
