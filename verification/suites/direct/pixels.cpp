@@ -270,10 +270,10 @@ void add_constant(Catalogue& catalogue) {
     for (const auto& [name, kind] : {std::pair{"box", FilterKind::box}, std::pair{"tent", FilterKind::tent},
                                      std::pair{"gaussian", FilterKind::gaussian}}) {
         std::vector<Wrong<Estimator>> wrong{
-            {"two-thousandths-bright", "Everything is 0.2 % too bright.", std::make_shared<Scaled>(direct, 1.002)}};
-        if (kind != FilterKind::box)
-            wrong.push_back({"weighted-again", "The filter's value, not normalised, is a weight once more.",
-                             std::make_shared<FilterWeighted>()});
+            {"two-thousandths-bright", "Everything is 0.2 % too bright.", std::make_shared<Scaled>(direct, 1.002)},
+            {"weighted-again", "The filter's value, not normalised, is a weight once more.",
+             std::make_shared<FilterWeighted>()}};
+        if (kind == FilterKind::box) wrong.pop_back();  // its weight is 1 everywhere
         catalogue.add({
             .id = fmt::format("direct/constant/{}", name),
             .statement = fmt::format("A white sphere under a white sky gives a picture of ones, film filter {}.", name),
