@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
+#include "core/named.h"
 
 namespace plumb {
 namespace {
@@ -50,8 +50,7 @@ double ImageFunction::integral() const {
 }
 
 std::vector<double> channel_weights(const Image& image, const std::string& channel) {
-    const std::vector<std::string> known = channel_names(image);
-    if (std::ranges::find(known, channel) == known.end()) throw unknown_name("channel", channel, known);
+    (void)find_named(channel_names(image), channel, "channel", std::identity{});
     std::vector<double> weights(image.channels.size());
     if (const std::size_t index = index_of(image, channel); index < weights.size())
         weights[index] = 1;

@@ -1,6 +1,6 @@
 #include "analytic/integrand.h"
 
-#include "core/error.h"
+#include "core/named.h"
 
 namespace plumb {
 
@@ -26,12 +26,7 @@ const std::vector<Integrand<2>>& integrands<2>() {
 
 template <int D>
 const Integrand<D>& find_integrand(std::string_view id) {
-    std::vector<std::string> known;
-    for (const Integrand<D>& integrand : integrands<D>()) {
-        if (integrand.id == id) return integrand;
-        known.push_back(integrand.id);
-    }
-    throw unknown_name(D == 1 ? "1D integrand" : "2D integrand", id, known);
+    return find_named(integrands<D>(), id, D == 1 ? "1D integrand" : "2D integrand");
 }
 template const Integrand<1>& find_integrand<1>(std::string_view);
 template const Integrand<2>& find_integrand<2>(std::string_view);

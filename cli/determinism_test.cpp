@@ -10,7 +10,7 @@ namespace plumb::cli {
 namespace {
 
 std::string verdicts(int threads) {
-    const Catalogue catalogue = shipped_catalogue();
+    const Catalogue catalogue = suites::shipped_catalogue();
     const RunSetting setting{.seed = 20240229, .patterns = {"points/*", "debiasing/*"}, .threads = threads};
     reports::Results results;
     for (Judged& one : judge(catalogue, setting, [](const Judged&, std::size_t, std::size_t) {})) {

@@ -11,10 +11,13 @@
 namespace plumb {
 namespace {
 
+// A line that was split at \n alone ends in \r.
+constexpr std::string_view blanks = " \t\r";
+
 std::string_view without_blanks(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t");
+    const std::size_t first = text.find_first_not_of(blanks);
     if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
 std::string_view field_of(std::string_view text) {
@@ -31,13 +34,6 @@ std::string_view taken_until(char mark, std::string_view& text) {
     return part;
 }
 
-std::vector<std::string_view> fields_of(std::string_view line) {
-    std::vector<std::string_view> fields;
-    for (std::size_t commas = std::ranges::count(line, ',') + 1; commas > 0; --commas)
-        fields.push_back(field_of(taken_until(',', line)));
-    return fields;
-}
-
 bool is_name(std::string_view field) {
     const auto letter = [](char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; };
     if (field.empty() || !letter(field.front())) return false;
@@ -46,12 +42,8 @@ bool is_name(std::string_view field) {
     return !lower.starts_with("nan") && lower != "inf" && lower != "infinity";
 }
 
-double number_of(std::string_view field, const NumberTable& table, std::size_t row, std::size_t column) {
-    std::string_view digits = field;
-    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
-    double value = 0;
-    const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (failure == std::errc() && end == digits.data() + digits.size() && std::isfinite(value)) return value;
+double finite_number(std::string_view field, const NumberTable& table, std::size_t row, std::size_t column) {
+    if (const auto value = csv_number(field); value && std::isfinite(*value)) return *value;
     throw Error(fmt::format("{}: {}; accepted are finite numbers such as 0.25 or 1e-3", table.where(row, column),
                             field.empty() ? "nothing found" : fmt::format("'{:.40}' found", field)));
 }
@@ -64,10 +56,25 @@ void append_row(std::string_view line, NumberTable& table) {
         throw Error(
             fmt::format("{}:{}: {} columns found; line 1 has {}", table.name, table.line(row), columns, table.columns));
     for (std::size_t column = 0; column < columns; ++column)
-        table.values.push_back(number_of(field_of(taken_until(',', line)), table, row, column));
+        table.values.push_back(finite_number(field_of(taken_until(',', line)), table, row, column));
 }
 
 }  // namespace
+
+std::vector<std::string_view> csv_fields(std::string_view line) {
+    std::vector<std::string_view> fields;
+    for (std::size_t commas = std::ranges::count(line, ',') + 1; commas > 0; --commas)
+        fields.push_back(field_of(taken_until(',', line)));
+    return fields;
+}
+
+std::optional<double> csv_number(std::string_view field) {
+    if (field.size() > 1 && field[0] == '+' && field[1] != '-') field.remove_prefix(1);
+    double value = 0;
+    const auto [end, failure] = std::from_chars(field.data(), field.data() + field.size(), value);
+    if (failure != std::errc() || end != field.data() + field.size()) return {};
+    return value;
+}
 
 std::string NumberTable::where(std::size_t row, std::size_t column) const {
     const std::string heading = header.empty() ? "" : fmt::format(" ({})", header[column]);
@@ -83,7 +90,7 @@ NumberTable parse_csv(std::string_view text, std::string name) {
     for (bool first = true; !text.empty(); first = false) {
         std::string_view line = taken_until('\n', text);
         if (line.ends_with('\r')) line.remove_suffix(1);
-        if (const auto fields = first ? fields_of(line) : std::vector<std::string_view>{};
+        if (const auto fields = first ? csv_fields(line) : std::vector<std::string_view>{};
             first && std::ranges::all_of(fields, is_name)) {
             table.header.assign(fields.begin(), fields.end());
             table.columns = fields.size();

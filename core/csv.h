@@ -1,11 +1,18 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace plumb {
+
+/// The fields of one line of comma-separated values, without the blanks and the quotes around them; they point into it.
+std::vector<std::string_view> csv_fields(std::string_view line);
+
+/// The decimal number that the whole field is, infinities and NaN too; empty where it is none.
+std::optional<double> csv_number(std::string_view field);
 
 /// A table of finite numbers, as read from comma-separated values.
 struct NumberTable {

@@ -20,6 +20,18 @@ std::string complaint(std::string_view text) {
     return "";
 }
 
+TEST(CsvFields, AreTheTextBetweenCommas) {
+    EXPECT_THAT(csv_fields("from, \"to\" ,,density\r"), ElementsAre("from", "to", "", "density"));
+    EXPECT_THAT(csv_fields(""), ElementsAre(""));
+}
+
+TEST(CsvNumber, IsTheWholeField) {
+    EXPECT_EQ(csv_number("-2e-3"), -2e-3);
+    EXPECT_EQ(csv_number("inf"), std::numeric_limits<double>::infinity());
+    EXPECT_TRUE(csv_number("nan").has_value());
+    for (const char* bad : {"", "1x", "x", "0x1p3", "1 2", "+-1", "1e999"}) EXPECT_FALSE(csv_number(bad)) << bad;
+}
+
 TEST(ParseCsv, ReadsRowsWithAndWithoutNames) {
     const NumberTable bare = parse_csv("0.5,1\n0.25,-2e-3\n", "points.csv");
     EXPECT_EQ(bare.columns, 2u);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -28,51 +29,58 @@ std::string write_here(const fs::path& file, std::string_view text) {
     return stream ? "" : std::strerror(errno);
 }
 
-/// Where the text goes in the end.
+/// Where a file written under this name ends up.
 fs::path behind_links(const fs::path& file) {
     std::error_code dangling;
     const fs::path target = fs::is_symlink(file) ? fs::canonical(file, dangling) : file;
     return dangling ? file : target;
 }
 
-bool takes_text_as_it_is(const fs::path& file) {
+bool is_device_or_pipe(const fs::path& file) {
     return fs::exists(file) && !fs::is_regular_file(file) && !fs::is_directory(file);
 }
 
-fs::path aside(const fs::path& file) {
-    return file.string() + fmt::format(".{}.part", ::getpid());
+// Of this process and of this call, so that no two writers meet; the extension stays, since image formats go by it.
+fs::path name_aside(const fs::path& file) {
+    static std::atomic<unsigned> calls = 0;
+    return file.parent_path() /
+           fmt::format(".{}.part-{}-{}{}", file.stem().string(), ::getpid(), calls++, file.extension().string());
 }
 
 }  // namespace
 
-void write_file(const fs::path& file, std::string_view text) {
+void write_aside(const fs::path& file, const std::function<std::string(const fs::path& here)>& write) {
     std::error_code error;
     if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
     if (error) fail(file, error.message());
     if (fs::is_directory(file)) fail(file, "it is a folder");
 
     const fs::path target = behind_links(file);
-    const bool in_place = takes_text_as_it_is(target);
-    const fs::path part = in_place ? target : aside(target);
-    const std::string reason = write_here(part, text);
+    const bool in_place = is_device_or_pipe(target);
+    const fs::path here = in_place ? target : name_aside(target);
+    const std::string reason = write(here);
     if (in_place && !reason.empty()) fail(file, reason);
     if (in_place) return;
-    if (reason.empty()) fs::rename(part, target, error);
+    if (reason.empty()) fs::rename(here, target, error);
     if (reason.empty() && !error) return;
     std::error_code ignored;
-    fs::remove(part, ignored);
+    fs::remove(here, ignored);
     fail(file, error ? error.message() : reason);
+}
+
+void write_file(const fs::path& file, std::string_view text) {
+    write_aside(file, [&](const fs::path& here) { return write_here(here, text); });
 }
 
 void check_writable(const fs::path& file) {
     if (fs::is_directory(file)) fail(file, "it is a folder");
     const fs::path target = behind_links(file);
-    if (takes_text_as_it_is(target)) return;
+    if (is_device_or_pipe(target)) return;
     fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
     while (!fs::exists(folder) && folder.has_parent_path()) folder = folder.parent_path();
     if (!fs::exists(folder)) folder = ".";  // of a relative path: its first folder will be made here
     if (!fs::is_directory(folder)) fail(file, fmt::format("{} is not a folder", folder.string()));
-    const fs::path probe = aside(folder / "plumb");
+    const fs::path probe = name_aside(folder / "plumb");
     if (const std::string reason = write_here(probe, ""); !reason.empty()) fail(file, reason);
     fs::remove(probe);
 }

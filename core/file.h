@@ -1,17 +1,23 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace plumb {
 
-/// Writes aside, then renames: readers see the old file or the new one, never half of it. Missing folders are made,
-/// symbolic links kept; a device or a pipe takes the text as it is. Throws Error naming the file when it cannot be
-/// written.
+/// Has `write` write a file beside this one and renames it: readers see the old file or the new one, never half of it,
+/// and no two writers meet, whether threads or processes. `write` gets a name with the file's extension and returns
+/// what went wrong, or nothing. Missing folders are made, symbolic links kept; a device or a pipe is written where it
+/// stands. Throws Error naming the file when it cannot be written; what stood aside is removed.
+void write_aside(const std::filesystem::path& file,
+                 const std::function<std::string(const std::filesystem::path& here)>& write);
+
+/// Makes the text the whole content of the file, by write_aside().
 void write_file(const std::filesystem::path& file, std::string_view text);
 
-/// Throws the same Error where write_file() would, as far as one can know before; leaves nothing behind.
+/// Throws the Error that write_aside() would, as far as one can know before; leaves nothing behind.
 void check_writable(const std::filesystem::path& file);
 
 /// The whole file; throws Error naming it when it cannot be read.

@@ -1,6 +1,8 @@
 #include "core/file.h"
 
 #include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -40,6 +42,58 @@ TEST(WriteFile, KeepsLinksAndWritesToDevices) {
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
     EXPECT_THAT(error_of([&] { write_file("/dev/full", "text"); }),
                 HasSubstr("/dev/full: cannot be written: No space"));
+}
+
+TEST(WriteAside, GivesEveryWriterANameOfItsOwnWithTheExtension) {
+    const TestFolder folder;
+    std::vector<fs::path> names;
+    write_aside(folder / "a.exr", [&](const fs::path& outer) {
+        names.push_back(outer);
+        write_aside(folder / "a.exr", [&](const fs::path& inner) {  // while the first is at work
+            names.push_back(inner);
+            write_file(inner, "inner");
+            return "";
+        });
+        write_file(outer, "outer");
+        return "";
+    });
+    EXPECT_NE(names[0], names[1]);
+    for (const fs::path& name : names) EXPECT_EQ(name.extension(), ".exr");
+    EXPECT_EQ(read_file(folder / "a.exr"), "outer") << "the last to be done";
+}
+
+TEST(WriteAside, LeavesTheOldFileWhereTheNewOneFails) {
+    const TestFolder folder;
+    write_file(folder / "a.exr", "old");
+    const auto half = [](const fs::path& here) {
+        write_file(here, "half of the ne");
+        return "no more paint";
+    };
+    EXPECT_THAT(error_of([&] { write_aside(folder / "a.exr", half); }),
+                HasSubstr("a.exr: cannot be written: no more paint"));
+    EXPECT_EQ(read_file(folder / "a.exr"), "old");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1) << "a leftover";
+}
+
+// Two processes that write one picture: each reader, at any time, finds a whole one of either.
+TEST(WriteAside, KeepsProcessesApart) {
+    const TestFolder folder;
+    const fs::path file = folder / "a.exr";
+    write_file(file, std::string(100'000, 'a'));
+    const pid_t child = ::fork();
+    if (child == 0) {
+        for (int i = 0; i < 200; ++i) write_file(file, std::string(100'000, 'b'));
+        ::_exit(0);
+    }
+    for (int i = 0; i < 200; ++i) {
+        write_file(file, std::string(100'000, 'a'));
+        const std::string text = read_file(file);
+        ASSERT_EQ(text, std::string(100'000, text.at(0)));
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1) << "a leftover";
 }
 
 TEST(CheckWritable, FindsWhatWriteFileWouldFindAndLeavesNothing) {

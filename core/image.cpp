@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/file.h"
 #include "core/image_module.h"
 
 namespace plumb {
@@ -32,11 +33,6 @@ Function function_of_module(const char* name) {
 std::string in_one_line(std::string text) {
     std::ranges::replace(text, '\n', ' ');
     return text;
-}
-
-// The extension decides the format, so the name aside keeps it.
-fs::path aside(const fs::path& file) {
-    return file.parent_path() / (".part-" + file.filename().string());
 }
 
 }  // namespace
@@ -66,15 +62,11 @@ void check_image_format(const fs::path& file) {
 }
 
 void write_image(const fs::path& file, const Image& image) {
-    const fs::path part = aside(file);
-    std::string why;
-    function_of_module<decltype(&plumb_encode_image)>("plumb_encode_image")(part.c_str(), &image, &why);
-    std::error_code failed;
-    if (why.empty()) fs::rename(part, file, failed);
-    if (why.empty() && !failed) return;
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    throw Error(fmt::format("{}: cannot be written: {}", file.string(), failed ? failed.message() : in_one_line(why)));
+    write_aside(file, [&](const fs::path& here) {
+        std::string why;
+        function_of_module<decltype(&plumb_encode_image)>("plumb_encode_image")(here.c_str(), &image, &why);
+        return in_one_line(why);
+    });
 }
 
 }  // namespace plumb

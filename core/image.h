@@ -33,7 +33,7 @@ void require_finite(const Image& image, const std::filesystem::path& file);
 /// Throws Error where no image format has the file's extension: before the work of making one begins.
 void check_image_format(const std::filesystem::path& file);
 
-/// Encodes an image in the format of the file's extension, written aside and then renamed. EXR and TIFF keep floats,
+/// Encodes an image in the format of the file's extension, by write_aside() of core/file.h. EXR and TIFF keep floats,
 /// names and metadata; other formats keep what they can. Throws Error naming the file.
 void write_image(const std::filesystem::path& file, const Image& image);
 

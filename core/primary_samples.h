@@ -10,21 +10,36 @@ namespace plumb {
 
 /// What a pair of random numbers of a path is for. Coordinates of a path go by name, never by counting calls, so that
 /// replay, Markov chains, guiding and reweighting stay aligned when a vertex skips a draw.
-enum class Use : std::uint8_t { film, lens, time, wavelength, light, light_point, lobe, direction, roulette, shadow };
+enum class Use : std::uint8_t {
+    film,
+    lens,
+    time,
+    wavelength,
+    light,
+    light_point,
+    lobe,
+    direction,
+    roulette,
+    shadow,
+    visibility
+};
 
-/// Which pair: the path's vertex (the sensor is 0; light subpaths count from 0x8000) and what for.
+/// Which pair: the path's vertex (the sensor is 0; light subpaths count from 0x8000), what for, and for which sample,
+/// where the vertex takes several.
 struct Slot {
     std::uint16_t vertex = 0;
     Use use = Use::film;
+    std::uint16_t sample = 0;
     friend auto operator<=>(const Slot&, const Slot&) = default;
 };
 
 /// A number for each slot, as the index of a RandomStream.
 constexpr std::uint64_t slot_index(Slot slot) {
-    return static_cast<std::uint64_t>(slot.vertex) << 8 | static_cast<std::uint8_t>(slot.use);
+    return static_cast<std::uint64_t>(slot.sample) << 24 | static_cast<std::uint64_t>(slot.vertex) << 8 |
+           static_cast<std::uint8_t>(slot.use);
 }
 
-/// u in [0,1)² and the density it was drawn with there: 1 unless guided.
+/// u in [0,1)² and the density it was drawn with there, given what was drawn before: 1 unless guided.
 struct Drawn {
     std::array<double, 2> u;
     double density = 1;
@@ -42,11 +57,26 @@ struct PrimarySamples {
     virtual ~PrimarySamples() = default;
     /// The numbers of the slot: the same however often and in whatever order they are asked for.
     virtual Drawn at(Slot slot) = 0;
-    /// The density that at(slot) would have drawn u with.
-    [[nodiscard]] virtual double density(Slot, const std::array<double, 2>& u) const {
-        static_cast<void>(u);
-        return 1;
+};
+
+/// The numbers of a part of a path as it draws them, and the density of all of them together. Each slot is drawn once.
+class Draws {
+public:
+    explicit Draws(PrimarySamples& samples) : samples_(&samples) {}
+
+    std::array<double, 2> at(Slot slot) {
+        const Drawn drawn = samples_->at(slot);
+        density_ *= drawn.density;
+        return drawn.u;
     }
+    /// Of what was drawn so far: what depends on all of it, and on nothing else, is divided by it.
+    [[nodiscard]] double density() const { return density_; }
+    /// For what one vertex draws beside the path, and nothing behind it depends on: its density counts from here.
+    [[nodiscard]] Draws branch() const { return Draws(*samples_); }
+
+private:
+    PrimarySamples* samples_;
+    double density_ = 1;
 };
 
 /// Independent uniform numbers: a pure function of the key and the slot. Two slots share a block of random bits, and

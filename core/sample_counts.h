@@ -11,7 +11,4 @@ constexpr std::uint64_t most_samples = std::uint64_t{1} << 32;
 /// "16..65536" (doubling from the first) or "16,100,1000" (sorted, each once); throws Error.
 std::vector<std::uint64_t> parse_sample_counts(const std::string& text);
 
-/// So many whole numbers with commas between; empty where the text is something else.
-std::vector<int> parse_integers(const std::string& text, std::size_t count);
-
 }  // namespace plumb

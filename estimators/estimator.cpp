@@ -1,6 +1,6 @@
 #include "estimators/estimator.h"
 
-#include "core/error.h"
+#include "core/named.h"
 
 namespace plumb {
 
@@ -15,12 +15,7 @@ const std::vector<Estimator<2>>& estimators<2>() {
 
 template <int D>
 const Estimator<D>& find_estimator(std::string_view id) {
-    std::vector<std::string> known;
-    for (const Estimator<D>& estimator : estimators<D>()) {
-        if (estimator.id == id) return estimator;
-        known.push_back(estimator.id);
-    }
-    throw unknown_name(D == 1 ? "1D estimator" : "2D estimator", id, known);
+    return find_named(estimators<D>(), id, D == 1 ? "1D estimator" : "2D estimator");
 }
 template const Estimator<1>& find_estimator<1>(std::string_view);
 template const Estimator<2>& find_estimator<2>(std::string_view);

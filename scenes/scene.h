@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scenes/bsdfs/materials.h"
+#include "scenes/description.h"
 #include "scenes/emitters/light_chooser.h"
 #include "scenes/emitters/lights.h"
 #include "scenes/geometry/embree_scene.h"
@@ -36,6 +37,8 @@ public:
     /// Where a ray meets the scene first. u decides whether it passes masks on its way.
     [[nodiscard]] std::optional<Hit> intersect(const Ray& ray, double u, RayLog& log) const;
     [[nodiscard]] bool has_masks() const { return has_masks_; }
+    /// The chance that a ray that reaches the surface stops there: below 1 for masks.
+    [[nodiscard]] double opacity(const Hit& hit) const { return materials_.opacity(shape(hit).material, hit.uv); }
     /// How much of the light of a sample of an emitter arrives: 0 or 1, in between behind masks.
     [[nodiscard]] double transmittance(const SurfacePoint& from, const EmitterSample& sample, RayLog& log) const;
 
@@ -72,7 +75,6 @@ public:
 
 private:
     [[nodiscard]] const description::Shape& shape(const Hit& hit) const { return description_.shapes[hit.shape]; }
-    [[nodiscard]] double opacity(const Hit& hit) const { return materials_.opacity(shape(hit).material, hit.uv); }
 
     description::Scene description_;
     Ball ball_;

@@ -8,6 +8,7 @@
 
 #include "estimators/estimator.h"
 #include "reports/study/study_result.h"
+#include "studies/headline.h"
 
 namespace plumb {
 
@@ -33,6 +34,7 @@ struct Study {
     std::vector<Estimator<1>> estimators_1d;  ///< its own, beside the shipped ones
     std::vector<Estimator<2>> estimators_2d;
     std::vector<FigurePlan> figures;
+    std::vector<HeadlinePlan> headlines;
 };
 
 template <int D>

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/shard.h"
 #include "verification/claim.h"
 
 namespace plumb {
@@ -36,11 +37,6 @@ struct Item {
 struct Judged : Item {
     Verdict verdict = {};
     double seconds = 0;
-};
-
-/// The i-th of n parts of a run, 1 ≤ i ≤ n.
-struct Shard {
-    int index = 1, count = 1;
 };
 
 /// Told of each verdict as it comes, in any order, one at a time: done of total.

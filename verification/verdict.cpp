@@ -1,10 +1,11 @@
 #include "verification/verdict.h"
 
 #include <algorithm>
+#include <array>
 #include <ostream>
 #include <stdexcept>
 
-#include "core/error.h"
+#include "core/named.h"
 
 namespace plumb {
 
@@ -22,9 +23,8 @@ std::ostream& operator<<(std::ostream& out, Outcome outcome) {
 }
 
 Outcome outcome_from(std::string_view text) {
-    for (const Outcome outcome : {Outcome::holds, Outcome::refuted, Outcome::undecided})
-        if (text == to_string(outcome)) return outcome;
-    throw unknown_name("outcome", text, {"holds", "refuted", "undecided"});
+    static constexpr std::array outcomes{Outcome::holds, Outcome::refuted, Outcome::undecided};
+    return find_named(outcomes, text, "outcome", [](Outcome outcome) { return to_string(outcome); });
 }
 
 std::string to_string(Kind kind) {

@@ -11,12 +11,6 @@ constexpr Interval exponent(double e) {
 
 }  // namespace
 
-template <int D>
-std::optional<Interval> independent_slope(const Integrand<D>& f) {
-    if (std::isinf(f.variance_value())) return {};
-    return exponent(-1);
-}
-
 // The variance is n^-2 times the sum of the variances within the n cells, of side h = n^(-1/D). Where f is Lipschitz
 // each is O(h²): -1 - 2/D, kinks included. A jump runs through O(n h) cells, each of variance O(1): -1 - 1/D.
 template <int D>
@@ -92,8 +86,6 @@ std::optional<Interval> owen_slope(const Integrand<D>& f) {
     return {};
 }
 
-template std::optional<Interval> independent_slope(const Integrand<1>&);
-template std::optional<Interval> independent_slope(const Integrand<2>&);
 template std::optional<Interval> stratified_slope(const Integrand<1>&);
 template std::optional<Interval> stratified_slope(const Integrand<2>&);
 template std::optional<Interval> low_discrepancy_slope(const Integrand<1>&);

@@ -9,10 +9,8 @@ namespace plumb {
 
 // Exponents of the MSE of means over point sets that theory gives for an integrand of stated smoothness, for n over
 // powers of two and up to logarithms; an interval where the class alone does not decide, empty where we know no theory
-// (unbounded integrands, apart from independent points). Derivations: point_set_slopes.cpp.
-
-template <int D>
-std::optional<Interval> independent_slope(const Integrand<D>& f);
+// (unbounded integrands, apart from independent points: estimators/replicates/independent_slope.h). Derivations:
+// point_set_slopes.cpp.
 
 template <int D>
 std::optional<Interval> stratified_slope(const Integrand<D>& f);

@@ -7,6 +7,7 @@
 #include "estimators/points/sobol.h"
 #include "estimators/points/stratified.h"
 #include "estimators/points/zero_two.h"
+#include "estimators/replicates/independent_slope.h"
 
 namespace plumb {
 namespace {

@@ -1,24 +1,17 @@
 #include "estimators/replicates/batches.h"
 
 #include "core/error.h"
-#include "core/moments.h"
 #include "estimators/replicates/independent_slope.h"
+#include "estimators/replicates/mean_of_runs.h"
 
 namespace plumb {
 
 Estimate mean_of_batches(const IndependentRun& run, std::uint64_t n, std::uint64_t batches, RandomStream& random) {
     if (batches == 0 || batches > n)
         throw Error(fmt::format("{} batches of {} samples; 1 to {} are accepted", batches, n, n));
-    Moments moments;
-    Estimate mean;
-    for (std::uint64_t b = 0; b < batches; ++b) {
-        const Estimate batch = run(n / batches + (b < n % batches ? 1 : 0), random);
-        moments.add(batch.value);
-        mean.evaluations += batch.evaluations;
-    }
-    mean.value = moments.mean();
-    mean.standard_error = moments.standard_error();
-    return mean;
+    MeanOfRuns mean;
+    for (std::uint64_t b = 0; b < batches; ++b) mean.add(run(n / batches + (b < n % batches ? 1 : 0), random));
+    return mean.estimate();
 }
 
 template <int D>
@@ -28,10 +21,12 @@ Estimator<D> in_batches_of(std::string id, const Estimator<D>& estimator, std::u
         return mean_of_batches([&](std::uint64_t batch, RandomStream& r) { return run(f, batch, r); }, n,
                                std::max<std::uint64_t>(1, n / size), random);
     };
-    Estimator<D> batched{
-        std::move(id),           fmt::format("{}, in independent batches of about {}.", estimator.id, size),
-        "thesis, section 4.5.1", estimator.unbiased,
-        std::move(run),          {}};
+    Estimator<D> batched{std::move(id),
+                         fmt::format("{}, in independent batches of about {}.", estimator.id, size),
+                         "[thesis, section 4.5.1]",
+                         estimator.unbiased,
+                         std::move(run),
+                         {}};
     if (estimator.unbiased) batched.expected_slope = independent_slope<D>;
     return batched;
 }
@@ -45,10 +40,12 @@ Estimator<D> batches_sharing(std::string id, const Estimator<D>& estimator, std:
         return mean_of_batches([&](std::uint64_t batch, RandomStream& r) { return run(f, batch, r); }, batches * n,
                                batches, random);
     };
-    Estimator<D> shared{
-        std::move(id),           fmt::format("{}, {} samples in independent batches of n.", estimator.id, total),
-        "thesis, section 4.5.1", estimator.unbiased,
-        std::move(run),          {}};
+    Estimator<D> shared{std::move(id),
+                        fmt::format("{}, {} samples in independent batches of n.", estimator.id, total),
+                        "[thesis, section 4.5.1]",
+                        estimator.unbiased,
+                        std::move(run),
+                        {}};
     if (estimator.unbiased && estimator.expected_slope)  // the variance of a batch, divided by total/n
         shared.expected_slope = [slope = estimator.expected_slope](const Integrand<D>& f) -> std::optional<Interval> {
             const std::optional<Interval> one = slope(f);

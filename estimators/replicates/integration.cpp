@@ -1,9 +1,11 @@
 #include "estimators/replicates/integration.h"
 
 #include <chrono>
+#include <cmath>
 
 #include "core/moments.h"
 #include "core/parallel.h"
+#include "estimators/replicates/mean_of_runs.h"
 
 namespace plumb {
 
@@ -23,15 +25,9 @@ Runs independent_runs(const IndependentRun& run, std::uint64_t n, std::uint64_t 
 }
 
 Estimate mean_of(const Runs& runs) {
-    Moments values;
-    Estimate mean;
-    for (const Estimate& one : runs.estimates) {
-        values.add(one.value);
-        mean.evaluations += one.evaluations;
-    }
-    mean.value = values.mean();
-    if (values.variance() > 0) mean.standard_error = values.standard_error();
-    return mean;
+    MeanOfRuns mean;
+    for (const Estimate& one : runs.estimates) mean.add(one);
+    return mean.estimate();
 }
 
 bool skewed(const Runs& runs) {
@@ -39,10 +35,6 @@ bool skewed(const Runs& runs) {
     for (const Estimate& one : runs.estimates) values.add(one.value);
     constexpr double z = 1.96;
     return std::abs(values.skewness()) * z * z * z > 3 * std::sqrt(static_cast<double>(values.count()));
-}
-
-double ErrorTarget::absolute(double value) const {
-    return relative ? error * std::abs(value) : error;
 }
 
 Search search_sample_count(const IndependentRun& run, const ErrorTarget& target, std::uint64_t replicates,

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error_target.h"
 #include "core/estimate.h"
 #include "estimators/replicates/batches.h"
 
@@ -21,25 +22,13 @@ struct Runs {
 Runs independent_runs(const IndependentRun& run, std::uint64_t n, std::uint64_t count, std::uint64_t seed,
                       std::string_view purpose);
 
-/// The mean of the runs, the standard error of that mean from their spread, all evaluations. The error is infinite,
-/// that is unknown, for fewer than two runs and when all gave the same value: no spread seen says nothing.
+/// The mean of the runs with the error that their spread shows: MeanOfRuns of them.
 Estimate mean_of(const Runs& runs);
 
 /// Whether the runs' skewness is too large for a 95 % interval of value ± 2 errors to mean what it says: |skewness| z³
 /// / (3 √R) > 1, the guard that mean claims have (docs/statistics.md, "Heavy tails"). An integrand of infinite variance
 /// shows itself so, mostly; tails that no run met show nowhere.
 bool skewed(const Runs& runs);
-
-/// How large the standard error may be: absolute, or relative to the value.
-struct ErrorTarget {
-    double error = 0;
-    bool relative = false;
-
-    [[nodiscard]] double absolute(double value) const;
-    [[nodiscard]] bool met_by(const Estimate& estimate) const {
-        return estimate.standard_error <= absolute(estimate.value);
-    }
-};
 
 /// The sample counts that were looked at on the way to a target, the last one chosen.
 struct Search {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/error.h"
 #include "core/moments.h"
 #include "core/parallel.h"
 
@@ -48,6 +49,19 @@ TEST(MeanOf, KnowsItsErrorOnlyFromASpread) {
     EXPECT_EQ(mean.evaluations, 8u);
     EXPECT_TRUE(std::isinf(mean_of({.n = 4, .estimates = {{1, 0, 4}}}).standard_error));
     EXPECT_TRUE(std::isinf(mean_of({.n = 4, .estimates = {{1, 0, 4}, {1, 0, 4}}}).standard_error));
+}
+
+// Batches that are all the same have shown no spread, as replicates have: their error is unknown, not 0.
+TEST(MeanOfBatches, KnowsItsErrorOnlyFromASpread) {
+    RandomStream random(1);
+    const auto size = [](std::uint64_t n, RandomStream&) { return Estimate{static_cast<double>(n), 0, n}; };
+    const Estimate unequal = mean_of_batches(size, 7, 2, random);  // batches of 4 and 3: variance 1/2 over 2 batches
+    EXPECT_EQ(unequal.value, 3.5);
+    EXPECT_EQ(unequal.standard_error, 0.5);
+    EXPECT_EQ(unequal.evaluations, 7u);
+    EXPECT_TRUE(std::isinf(mean_of_batches(size, 8, 2, random).standard_error));
+    EXPECT_TRUE(std::isinf(mean_of_batches(size, 8, 1, random).standard_error));
+    EXPECT_THROW((void)mean_of_batches(size, 2, 3, random), Error);
 }
 
 TEST(Skewed, SeesAnOutlierAndNothingInNormalRuns) {

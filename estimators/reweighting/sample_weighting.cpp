@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/named.h"
 #include "estimators/reweighting/cells_1d.h"
 #include "estimators/reweighting/reweighting_1d.h"
 #include "estimators/reweighting/reweighting_2d.h"
@@ -66,12 +67,7 @@ const std::vector<SampleWeighting<2>>& sample_weightings<2>() {
 
 template <int D>
 const SampleWeighting<D>& find_sample_weighting(std::string_view id) {
-    std::vector<std::string> known;
-    for (const SampleWeighting<D>& weighting : sample_weightings<D>()) {
-        if (weighting.id == id) return weighting;
-        known.push_back(weighting.id);
-    }
-    throw unknown_name(D == 1 ? "method for 1D samples" : "method for 2D samples", id, known);
+    return find_named(sample_weightings<D>(), id, D == 1 ? "method for 1D samples" : "method for 2D samples");
 }
 template const SampleWeighting<1>& find_sample_weighting<1>(std::string_view);
 template const SampleWeighting<2>& find_sample_weighting<2>(std::string_view);

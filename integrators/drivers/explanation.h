@@ -1,6 +1,6 @@
 #pragma once
 
-#include "integrators/drivers/render.h"
+#include "integrators/drivers/job.h"
 #include "integrators/drivers/splatting.h"
 #include "integrators/paths/vertex.h"
 
@@ -12,7 +12,8 @@ struct Explanation {
     CameraStart start = {};
     PathRecord record = {};
     PathStory story = {};
-    Spectrum value = {};  ///< to its pixel: 1/spp of it to the mean
+    double weight = 1;    ///< what the driver lets the sample count; 0 where it does not take it
+    Spectrum value = {};  ///< to its pixel, weighted: 1/spp of it to the mean
     /// To the pixels of the crop that splats anywhere fall on, its own among them: of each the same 1/spp, shared among
     /// all pixels' paths.
     std::vector<SplatOnPixel> splatted = {};
@@ -22,8 +23,10 @@ struct Explanation {
     [[nodiscard]] std::optional<Strategy> strategy_of(std::size_t splat) const;
 };
 
-/// The sample of this pixel and index that render() takes with these settings, bit by bit. Throws Error for a pixel
-/// that is not in the crop, or an index that is not below the samples of a pixel.
+/// The sample of this pixel and index that render() takes for the job, bit by bit. Throws Error for a pixel that is not
+/// in the crop, an index that is not below the samples of a pixel, and a driver whose samples have no such numbers.
+Explanation explain(const RenderJob& job, int x, int y, std::uint32_t sample);
+/// By the driver that every render has unless another is asked for.
 Explanation explain(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings, int x, int y,
                     std::uint32_t sample);
 

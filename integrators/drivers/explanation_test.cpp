@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "integrators/drivers/render.h"
 #include "integrators/integrators.h"
 #include "scenes/film/exact_sum.h"
 #include "scenes/mitsuba/mitsuba_xml.h"

@@ -1,156 +1,102 @@
 #include "integrators/drivers/render.h"
 
-#include <fmt/format.h>
-
+#include <deque>
 #include <mutex>
 
-#include "core/error.h"
 #include "core/parallel.h"
-#include "integrators/drivers/sampler.h"
-#include "integrators/drivers/splatting.h"
+#include "integrators/drivers/schedule.h"
 
 namespace plumb {
 
 namespace {
 
-constexpr int tile_side = 16;
-
-std::vector<FilmRegion> tiles_of(const FilmRegion& crop) {
-    std::vector<FilmRegion> tiles;
-    for (int y = 0; y < crop.height; y += tile_side)
-        for (int x = 0; x < crop.width; x += tile_side)
-            tiles.push_back(
-                {crop.x + x, crop.y + y, std::min(tile_side, crop.width - x), std::min(tile_side, crop.height - y)});
-    return tiles;
+std::size_t bytes_of_image(const FilmRegion& crop) {
+    std::size_t channels = 0;
+    for (const FilmLayer& layer : render_layers()) channels += layer.channels.size();
+    return static_cast<std::size_t>(crop.width) * static_cast<std::size_t>(crop.height) * channels * sizeof(ExactSum);
 }
 
-std::array<Spectrum, 4> layers_of(const PathRecord& record) {
-    std::array<Spectrum, 4> layers{record.sum()};
-    if (record.vertices.empty()) return layers;
-    const PathVertex& first = record.vertices.front();
-    const Vec3 n = first.frame.z;
-    layers[1] = albedo(first.bsdf);
-    layers[2] = Spectrum::rgb(n.x, n.y, n.z);
-    layers[3] = Spectrum::grey(first.hit.t);
-    return layers;
+std::uint32_t count_of_passes(const RenderSettings& settings) {
+    if (settings.first_pass >= settings.passes) return 0;
+    return (settings.passes - 1 - settings.first_pass) / settings.pass_step + 1;
 }
 
-// Renders the tiles of one pass into one image. Sums are exact: the order in which tiles and splats come does not
-// matter.
-class Pass {
+// Says how far the render is, one call at a time.
+class Teller {
 public:
-    Pass(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings, std::uint32_t number)
-        : scene_(scene),
-          estimator_(estimator),
-          settings_(settings),
-          number_(number),
-          pixels_({settings.crop.width, settings.crop.height}, render_layers()) {}
+    using GoOn = std::function<bool(const RenderProgress&)>;
 
-    // The rays traced. May be called from several threads, a tile each.
-    std::uint64_t render(const FilmRegion& tile) {
-        FilmPass part({tile.width, tile.height}, render_layers());
-        Sampler sampler(settings_.sampler, settings_.samples_per_pass);
-        PathRecord record;
-        std::vector<SplatOnPixel> splats;
-        for (int y = 0; y < tile.height; ++y)
-            for (int x = 0; x < tile.width; ++x) {
-                const FilmRegion pixel{tile.x + x, tile.y + y, 1, 1};
-                const std::uint32_t first = number_ * settings_.samples_per_pass;
-                for (std::uint32_t i = 0; i < settings_.samples_per_pass; ++i) {
-                    PrimarySamples& samples = sampler.start(path_key(scene_, settings_, pixel.x, pixel.y, first + i));
-                    estimator_.trace(scene_, pixel, samples, record);
-                    part.add(x, y, layers_of(record));
-                    spread(record, scene_.sensor().filter(), settings_.crop, splats);
-                    constexpr std::size_t most_kept = 1 << 14;
-                    if (splats.size() >= most_kept) add(splats);
-                }
-            }
-        add(splats);
+    Teller(const GoOn& go_on, std::uint64_t total) : go_on_(go_on), progress_{0, total} {}
+
+    bool tell(std::uint64_t more_done) {
         const std::lock_guard lock(mutex_);
-        pixels_.merge_at(tile.x - settings_.crop.x, tile.y - settings_.crop.y, part);
-        return record.rays.count;
+        progress_.done += more_done;
+        return !go_on_ || go_on_(progress_);
     }
-    [[nodiscard]] const FilmPass& pixels() const { return pixels_; }
 
 private:
-    void add(std::vector<SplatOnPixel>& splats) {
+    const GoOn& go_on_;
+    RenderProgress progress_;
+    std::mutex mutex_;
+};
+
+// The images of the passes that are begun and not finished.
+class ImagesInFlight {
+public:
+    void begin(const FilmRegion& crop) {
         const std::lock_guard lock(mutex_);
-        for (const auto& [x, y, value] : splats) pixels_.splat(x - settings_.crop.x, y - settings_.crop.y, value);
-        splats.clear();
+        images_.emplace_back(crop);
+    }
+    PassImage& of(std::uint32_t pass) {
+        const std::lock_guard lock(mutex_);
+        return images_[pass - finished_];
+    }
+    void drop_first() {
+        const std::lock_guard lock(mutex_);
+        images_.pop_front();
+        ++finished_;
     }
 
-    const Scene& scene_;
-    const PathEstimator& estimator_;
-    const RenderSettings& settings_;
-    std::uint32_t number_;
-    FilmPass pixels_;
+private:
+    std::deque<PassImage> images_;
+    std::uint32_t finished_ = 0;
     std::mutex mutex_;
 };
 
 }  // namespace
 
-void check_crop(const FilmRegion& crop, FilmSize film) {
-    if (crop.width < 1 || crop.height < 1 || crop.x < 0 || crop.y < 0 || crop.width > film.width - crop.x ||
-        crop.height > film.height - crop.y)
-        throw Error(fmt::format("crop {},{},{},{} of a film of {} x {} pixels: accepted are x,y,width,height within it",
-                                crop.x, crop.y, crop.width, crop.height, film.width, film.height));
-}
-
-PathKey path_key(const Scene& scene, const RenderSettings& settings, int x, int y, std::uint32_t sample) {
-    return {settings.seed, static_cast<std::uint32_t>(y * scene.sensor().film().width + x), sample};
-}
-
-RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_pixel) {
-    if (samples_per_pixel < 1) throw Error("0 samples a pixel; accepted are 1 and more");
-    // Of two divisors as near to 16 as each other by ratio, the one with more samples a pass.
-    const auto distance = [](std::uint32_t passes) { return std::abs(std::log2(passes / 16.0)); };
-    settings.passes = 1;
-    for (std::uint32_t passes = 2; passes <= std::min(samples_per_pixel, 256u); ++passes)
-        if (samples_per_pixel % passes == 0 && distance(passes) < distance(settings.passes)) settings.passes = passes;
-    settings.samples_per_pass = samples_per_pixel / settings.passes;
-    return settings;
-}
-
-RenderSettings part_of(RenderSettings settings, std::uint32_t i, std::uint32_t n) {
-    if (n > settings.passes)
-        throw Error(
-            fmt::format("{} parts of {} passes; accepted are 1 to {} parts", n, settings.passes, settings.passes));
-    if (i < 1 || i > n) throw Error(fmt::format("part {} of {}; accepted are 1 to {}", i, n, n));
-    settings.first_pass = i - 1;
-    settings.pass_step = n;
-    return settings;
-}
-
-std::vector<FilmLayer> render_layers() {
-    return {{"radiance", {"R", "G", "B"}, true},
-            {"albedo", {"R", "G", "B"}, true},
-            {"normal", {"X", "Y", "Z"}, false},
-            {"depth", {"Z"}, true}};
+Rendered render(const RenderJob& job, const std::function<bool(const RenderProgress&)>& go_on) {
+    const RenderSettings& settings = job.settings;
+    check_crop(settings.crop, job.scene.sensor().film());
+    const Driver& driver = *job.driver;
+    const std::size_t pieces = driver.pieces(job), threads = static_cast<std::size_t>(hardware_threads());
+    const std::uint32_t passes = count_of_passes(settings);
+    Rendered result{Film({settings.crop.width, settings.crop.height}, render_layers())};
+    Teller teller(go_on, std::uint64_t{passes} * pieces);
+    ImagesInFlight images;
+    work_off({.passes = passes,
+              .pieces = pieces,
+              .in_flight = passes_in_flight(pieces, threads, bytes_of_image(settings.crop)),
+              .begin = [&](std::uint32_t) { images.begin(settings.crop); },
+              .make =
+                  [&](std::uint32_t pass, std::size_t piece) {
+                      driver.make(job, settings.first_pass + pass * settings.pass_step, piece, images.of(pass));
+                      teller.tell(1);
+                  },
+              .finish =
+                  [&](std::uint32_t pass) {
+                      PassImage& image = images.of(pass);
+                      result.film.add(image.pixels());
+                      result.rays += image.rays();
+                      images.drop_first();
+                      return teller.tell(0);
+                  }});
+    return result;
 }
 
 Rendered render(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings,
                 const std::function<bool(const RenderProgress&)>& go_on) {
-    check_crop(settings.crop, scene.sensor().film());
-    const std::vector<FilmRegion> tiles = tiles_of(settings.crop);
-    const FilmSize size{settings.crop.width, settings.crop.height};
-    Rendered result{Film(size, render_layers())};
-    const std::uint32_t first = settings.first_pass, step = settings.pass_step;
-    RenderProgress progress{0, tiles.size() * ((settings.passes - 1 - first) / step + 1)};
-    std::mutex mutex;
-    for (std::uint32_t pass = first; pass < settings.passes; pass += step) {
-        Pass image(scene, estimator, settings, pass);
-        bool more = true;
-        for_batches(tiles.size(), [&](std::size_t i) {
-            const std::uint64_t rays = image.render(tiles[i]);
-            const std::lock_guard lock(mutex);
-            result.rays += rays;
-            ++progress.done;
-            if (go_on) more = go_on(progress);
-        });
-        result.film.add(image.pixels());
-        if (!more) break;
-    }
-    return result;
+    return render(job_of(scene, estimator, settings), go_on);
 }
 
 }  // namespace plumb

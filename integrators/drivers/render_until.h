@@ -19,13 +19,16 @@ struct RenderedUntil {
     bool met = false;  ///< false: most_passes came first
 };
 
-/// Doubles the passes from settings.passes on until the picture's error meets the target. A stop that replicates decide
+/// Who hears of a render that doubles its passes.
+struct DoublingProgress {
+    std::function<void(std::uint64_t passes, const FilmError&)> look;  ///< of each decision
+    std::function<void(const RenderProgress&)> progress;               ///< within a doubling
+};
+
+/// Doubles the passes from the job's on until the picture's error meets the target. A stop that replicates decide
 /// favours those that happened to look alike; after 16 passes and at doublings alone that is little, because the error
-/// is a mean over all pixels. `look` hears of each decision, `progress` of each tile of a
-/// doubling. The same settings give the same bits on any number of threads.
-RenderedUntil render_until(const Scene& scene, const PathEstimator& estimator, RenderSettings settings,
-                           const ErrorTarget& target, std::uint32_t most_passes,
-                           const std::function<void(std::uint64_t passes, const FilmError&)>& look = {},
-                           const std::function<void(const RenderProgress&)>& progress = {});
+/// is a mean over all pixels. The same job gives the same bits on any number of threads.
+RenderedUntil render_until(RenderJob job, const ErrorTarget& target, std::uint32_t most_passes,
+                           const DoublingProgress& hears = {});
 
 }  // namespace plumb

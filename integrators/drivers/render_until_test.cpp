@@ -17,8 +17,8 @@ class RenderUntil : public testing::Test {
 protected:
     RenderedUntil until(const ErrorTarget& target, std::uint32_t most) {
         looks.clear();
-        return render_until(scene, *estimator, settings, target, most,
-                            [&](std::uint64_t passes, const FilmError&) { looks.push_back(passes); });
+        return render_until(job_of(scene, *estimator, settings), target, most,
+                            {[&](std::uint64_t passes, const FilmError&) { looks.push_back(passes); }, {}});
     }
 
     Scene scene{load_mitsuba(scene_file("quad_light"))};

@@ -6,11 +6,12 @@ namespace plumb {
 
 void Aov::trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, PathRecord& record) const {
     record.clear();
-    const CameraStart start = start_at_camera(scene, region, samples);
-    const auto vertex = trace_to_vertex(scene, start.ray, 1, samples, record);
+    Draws draws(samples);
+    const CameraStart start = start_at_camera(scene, region, draws);
+    const auto vertex = trace_to_vertex(scene, start.ray, 1, draws, record);
     if (!vertex) return;
-    record.vertices.push_back(*vertex);
-    record.splats.push_back({start.film, albedo(vertex->bsdf), 1});
+    record.meet(*vertex, draws.density());
+    record.add({start.film, albedo(vertex->bsdf), 1}, draws.density());
 }
 
 }  // namespace plumb

@@ -9,11 +9,13 @@ namespace {
 // The connections of two subpaths.
 class Connections {
 public:
-    Connections(const Bdpt& bdpt, const Scene& scene, const CameraStart& start, PrimarySamples& samples,
+    Connections(const Bdpt& bdpt, const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
                 PathRecord& record)
-        : bdpt_(bdpt), scene_(scene), start_(start), samples_(samples), record_(record) {
-        camera_ = camera_subpath(scene, start, bdpt.rules, samples, record);
-        light_ = light_subpath(scene, bdpt.rules, samples, record);
+        : bdpt_(bdpt), scene_(scene), samples_(samples), record_(record) {
+        Draws from_camera(samples), from_light(samples);
+        start_ = start_at_camera(scene, region, from_camera);
+        camera_ = camera_subpath(scene, start_, bdpt.rules, from_camera, record);
+        light_ = light_subpath(scene, bdpt.rules, from_light, record);
     }
 
     void make_all() {
@@ -37,12 +39,17 @@ private:
     [[nodiscard]] std::span<const SubpathVertex> camera(std::size_t t) const { return {camera_.data(), t}; }
     [[nodiscard]] std::span<const SubpathVertex> light(std::size_t s) const { return {light_.data(), s}; }
 
-    void add(const Point<2>& film, const Spectrum& value, std::size_t s, std::size_t t, double weight,
+    // `density`: of the numbers of both subpaths up to s and t, and of the connection.
+    void add(const Point<2>& film, const Spectrum& value, std::size_t s, std::size_t t, double weight, double density,
              std::optional<std::size_t> source = {}) {
         const Strategy strategy{static_cast<int>(s), static_cast<int>(t)};
         if (record_.story)
-            record_.tell({.strategy = strategy, .light = value / weight, .weight = weight, .source = source});
-        if (!is_black(value)) record_.splats.push_back({film, value, strategy.edges(), t == 1});
+            record_.tell({.strategy = strategy,
+                          .light = value / weight,
+                          .weight = weight,
+                          .source = source,
+                          .density = density});
+        if (!is_black(value)) record_.add({film, value, strategy.edges(), t == 1}, density);
     }
 
     // (0, t)
@@ -55,15 +62,16 @@ private:
         if (is_black(radiance)) return;
         const double weight = weight_of(camera(t), {});
         if (weight == 0) return;
-        add(start_.film, last.throughput * radiance * weight, 0, t, weight, last.light);
+        add(start_.film, last.throughput * radiance * weight, 0, t, weight, last.drawn, last.light);
     }
 
     // (1, t)
     void sample_light(std::size_t t) {
         const SubpathVertex& last = camera_[t - 1];
         const auto number = static_cast<std::uint16_t>(t - 1);
-        const double u = samples_.at({number, Use::light}).u[0];
-        const auto sampled = scene_.sample_light(last.position(), u, samples_.at({number, Use::light_point}).u);
+        Draws draws(samples_);
+        const double u = draws.at({number, Use::light})[0];
+        const auto sampled = scene_.sample_light(last.position(), u, draws.at({number, Use::light_point}));
         if (!sampled) return;
         const EmitterSample& sample = sampled->sample;
         const Spectrum f = eval_bsdf(*last.surface, sample.direction, Transport::radiance);
@@ -74,7 +82,7 @@ private:
         if (weight == 0) return;
         const double arrives = scene_.transmittance(last.point, sample, record_.rays);
         add(start_.film, last.throughput * f * sample.radiance * (weight * arrives / sampled->pdf), 1, t, weight,
-            sampled->light);
+            last.drawn * draws.density(), sampled->light);
     }
 
     // (s, t), s and t ≥ 2
@@ -95,7 +103,7 @@ private:
         const double arrives = scene_.transmittance(x.point, end, record_.rays);
         const double scale =
             weight * arrives * bdpt_.rules.correction(*y.surface, -direction) * bdpt_.rules.falloff(x, y);
-        add(start_.film, x.throughput * f_x * f_y * y.throughput * scale, s, t, weight);
+        add(start_.film, x.throughput * f_x * f_y * y.throughput * scale, s, t, weight, x.drawn * y.drawn);
     }
 
     // (s, 1)
@@ -103,7 +111,8 @@ private:
         const SubpathVertex& y = light_[s - 1];
         if (s == 1 ? y.kind != Kind::light : !may_connect(y)) return;
         const auto number = static_cast<std::uint16_t>(first_light_vertex + s - 1);
-        const auto lens = sample_lens(scene_, y.position(), number, samples_, bdpt_.connection);
+        Draws draws(samples_);
+        const auto lens = sample_lens(scene_, y.position(), number, draws, bdpt_.connection);
         if (!lens) return;
         const double cos_at_light = dot(y.normal(), lens->direction);
         const Spectrum f = s > 1 ? eval_bsdf(*y.surface, lens->direction, Transport::importance) *
@@ -114,12 +123,13 @@ private:
         const double weight = weight_of({&sensor, 1}, light(s));
         if (weight == 0) return;
         const double arrives = transmittance_to(scene_, y.point, *lens, record_.rays);
-        add(lens->film, y.throughput * f * (weight * arrives * lens->importance / lens->pdf), s, 1, weight);
+        add(lens->film, y.throughput * f * (weight * arrives * lens->importance / lens->pdf), s, 1, weight,
+            y.drawn * draws.density());
     }
 
     const Bdpt& bdpt_;
     const Scene& scene_;
-    const CameraStart& start_;
+    CameraStart start_;
     PrimarySamples& samples_;
     PathRecord& record_;
     Subpath camera_, light_;
@@ -135,8 +145,7 @@ Bdpt::Bdpt(const PathLimits& limits) {
 
 void Bdpt::trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, PathRecord& record) const {
     record.clear();
-    const CameraStart start = start_at_camera(scene, region, samples);
-    Connections(*this, scene, start, samples, record).make_all();
+    Connections(*this, scene, region, samples, record).make_all();
 }
 
 StrategyWeight strategy_alone(const Strategy& strategy) {

@@ -7,22 +7,24 @@ namespace plumb {
 void trace_two_edges(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, PathRecord& record,
                      const ReflectedLight& reflected) {
     record.clear();
-    const CameraStart start = start_at_camera(scene, region, samples);
-    const auto vertex = trace_to_vertex(scene, start.ray, 1, samples, record);
+    Draws draws(samples);
+    const CameraStart start = start_at_camera(scene, region, draws);
+    const auto vertex = trace_to_vertex(scene, start.ray, 1, draws, record);
     const Spectrum seen = vertex ? scene.emitted(vertex->hit, vertex->wo) : scene.environment(start.ray);
     if (record.story && !is_black(seen))
         record.tell({.strategy = {0, 2},
                      .light = seen,
-                     .source = vertex ? scene.light_of(vertex->hit) : scene.environment_light()});
-    record.splats.push_back({start.film, seen, 1});
+                     .source = vertex ? scene.light_of(vertex->hit) : scene.environment_light(),
+                     .density = draws.density()});
+    record.add({start.film, seen, 1}, draws.density());
     if (!vertex) return;
-    record.vertices.push_back(*vertex);
-    record.splats.push_back({start.film, reflected(scene, *vertex, samples, record), 2});
+    record.meet(*vertex, draws.density());
+    record.add({start.film, reflected(scene, *vertex, draws, record), 2}, draws.density());
 }
 
 void Direct::trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, PathRecord& record) const {
     trace_two_edges(scene, region, samples, record,
-                    [this](const Scene& in, const PathVertex& vertex, PrimarySamples& numbers, PathRecord& rays) {
+                    [this](const Scene& in, const PathVertex& vertex, const Draws& numbers, PathRecord& rays) {
                         Spectrum sum;
                         if (used != LightTechniques::bsdf)
                             sum += light_from_emitters(in, vertex, 1, used, next_event, numbers, rays);

@@ -6,8 +6,9 @@
 
 namespace plumb {
 
-/// What a vertex sends on of the light that reaches it from emitters.
-using ReflectedLight = std::function<Spectrum(const Scene&, const PathVertex&, PrimarySamples&, PathRecord&)>;
+/// What a vertex sends on of the light that reaches it from emitters, over the density of the numbers that it draws for
+/// that, beside those of the vertex.
+using ReflectedLight = std::function<Spectrum(const Scene&, const PathVertex&, const Draws& of_vertex, PathRecord&)>;
 
 /// A path of at most two edges: light seen directly, and light reflected once, as `reflected` estimates it.
 void trace_two_edges(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, PathRecord& record,

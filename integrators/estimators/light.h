@@ -21,9 +21,9 @@ struct LightTracer final : PathEstimator {
                PathRecord& record) const override;
 
 private:
-    void trace_from_light(const Scene& scene, PrimarySamples& samples, PathRecord& record) const;
+    void trace_from_light(const Scene& scene, Draws draws, PathRecord& record) const;
     /// What the vertex sends to the lens, of each unit of flux that reaches it.
-    void splat(const Scene& scene, const PathVertex& vertex, const Spectrum& flux, int edges, PrimarySamples& samples,
+    void splat(const Scene& scene, const PathVertex& vertex, const Spectrum& flux, int edges, const Draws& of_vertex,
                PathRecord& record) const;
 };
 

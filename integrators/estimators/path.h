@@ -16,6 +16,10 @@ struct PathState {
     std::uint16_t vertex = 1;  ///< the number of the next vertex, which is the edges up to it
 };
 
+/// Light that the state's ray met, weighted against what an emitter sample would have found there.
+Spectrum met_light(const Scene& scene, const NextEvent& next_event, const PathState& state,
+                   const std::optional<Hit>& hit, const PathRecord& record);
+
 /// Path tracing: next event estimation and BSDF samples with multiple importance sampling at each vertex
 /// [Kajiya 1986; Veach & Guibas 1995].
 struct PathTracer final : PathEstimator {
@@ -27,14 +31,15 @@ struct PathTracer final : PathEstimator {
     explicit PathTracer(const PathLimits& path_limits) : limits(path_limits) {}
     void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
                PathRecord& record) const override;
+    /// HybridShift.
+    [[nodiscard]] std::unique_ptr<PathShift> shift() const override;
 
     /// One step: the ray is traced, light that it meets and light at the vertex are added to the record, and a new
     /// direction is chosen. False where the path ends.
-    bool step(const Scene& scene, const Point<2>& film, PathState& state, PrimarySamples& samples,
-              PathRecord& record) const;
+    bool step(const Scene& scene, const Point<2>& film, PathState& state, Draws& draws, PathRecord& record) const;
 
 private:
-    bool scatter(const PathVertex& vertex, PathState& state, PrimarySamples& samples, PathRecord& record) const;
+    bool scatter(const PathVertex& vertex, PathState& state, Draws& draws, PathRecord& record) const;
 };
 
 }  // namespace plumb

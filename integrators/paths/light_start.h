@@ -12,11 +12,12 @@ constexpr std::uint16_t first_light_vertex = 0x8000;
 struct LightStart {
     SceneLightRay light;
     Ray ray;
+    double origin_density;  ///< of the numbers that chose the light and its point, without those of the direction
 };
-std::optional<LightStart> start_at_light(const Scene& scene, PrimarySamples& samples, const PathRecord& record);
+std::optional<LightStart> start_at_light(const Scene& scene, Draws& draws, const PathRecord& record);
 
 /// A direction that importance leaves a vertex of a light's subpath by: sample_bsdf with the correction in its weight.
-std::optional<ScatterSample> sample_importance(const PathVertex& vertex, std::uint16_t number, PrimarySamples& samples,
+std::optional<ScatterSample> sample_importance(const PathVertex& vertex, std::uint16_t number, Draws& draws,
                                                ShadingCorrection correction, Transport carries = Transport::importance);
 
 /// The lens (a pinhole is one) from a point of the scene; empty where it is not seen.
@@ -24,10 +25,10 @@ using SensorConnection = std::optional<SensorSample> (*)(const Scene& scene, Vec
 std::optional<SensorSample> connect_to_lens(const Scene& scene, Vec3 from, const Point<2>& lens);
 
 /// Through a random point of the lens.
-inline std::optional<SensorSample> sample_lens(const Scene& scene, Vec3 from, std::uint16_t number,
-                                               PrimarySamples& samples, SensorConnection connect) {
+inline std::optional<SensorSample> sample_lens(const Scene& scene, Vec3 from, std::uint16_t number, Draws& draws,
+                                               SensorConnection connect) {
     const bool lens = scene.sensor().has_lens();
-    return connect(scene, from, lens ? Point<2>(samples.at({number, Use::lens}).u) : Point<2>{0.5, 0.5});
+    return connect(scene, from, lens ? Point<2>(draws.at({number, Use::lens})) : Point<2>{0.5, 0.5});
 }
 /// How much of what leaves a surface point for the lens arrives.
 double transmittance_to(const Scene& scene, const SurfacePoint& from, const SensorSample& sensor, RayLog& rays);

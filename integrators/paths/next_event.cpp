@@ -6,10 +6,10 @@ namespace plumb {
 
 namespace {
 
-std::optional<SceneLightSample> choose_by_power(const Scene& scene, const PathVertex& vertex, PrimarySamples& samples,
+std::optional<SceneLightSample> choose_by_power(const Scene& scene, const PathVertex& vertex, Draws& draws,
                                                 std::uint16_t number) {
-    const double u = samples.at({number, Use::light}).u[0];
-    return scene.sample_light(vertex.hit.point.position, u, samples.at({number, Use::light_point}).u);
+    const double u = draws.at({number, Use::light})[0];
+    return scene.sample_light(vertex.hit.point.position, u, draws.at({number, Use::light_point}));
 }
 
 double trace_shadow(const Scene& scene, const PathVertex& vertex, const EmitterSample& light, PathRecord& record) {
@@ -23,9 +23,10 @@ NextEvent default_next_event() {
 }
 
 Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::uint16_t number, LightTechniques used,
-                             const NextEvent& next_event, PrimarySamples& samples, PathRecord& record) {
+                             const NextEvent& next_event, const Draws& of_vertex, PathRecord& record) {
     if (!vertex.bsdf.smooth()) return {};
-    const auto light = next_event.choose(scene, vertex, samples, number);
+    Draws draws = of_vertex.branch();
+    const auto light = next_event.choose(scene, vertex, draws, number);
     if (!light) return {};
     const Spectrum f = eval_bsdf(vertex, light->sample.direction, Transport::radiance);
     if (is_black(f)) return {};
@@ -47,18 +48,20 @@ Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::
                      .weight = weight,
                      .pdf = light->pdf,
                      .rival = rival,
-                     .source = light->light});
-    return f * light->sample.radiance * (weight * visible / light->pdf);
+                     .source = light->light,
+                     .density = of_vertex.density() * draws.density()});
+    return f * light->sample.radiance * (weight * visible / light->pdf) / draws.density();
 }
 
 Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint16_t number, LightTechniques used,
-                         const NextEvent& next_event, PrimarySamples& samples, PathRecord& record) {
-    const auto sample = sample_bsdf(vertex, number, samples, Transport::radiance);
+                         const NextEvent& next_event, const Draws& of_vertex, PathRecord& record) {
+    Draws draws = of_vertex.branch();
+    const auto sample = sample_bsdf(vertex, number, draws, Transport::radiance);
     if (!sample) return {};
     tell_scattering(record, number, *sample, sample->weight);
     const Vec3 wi = sample->direction, from = vertex.hit.point.position;
     const Ray ray = leave(vertex.hit.point, wi);
-    const auto next = trace_to_hit(scene, ray, static_cast<std::uint16_t>(number + 1), samples, record);
+    const auto next = trace_to_hit(scene, ray, static_cast<std::uint16_t>(number + 1), draws, record);
     const Spectrum radiance = next ? scene.emitted(*next, -wi) : scene.environment(ray);
     if (is_black(radiance)) return {};
     const bool shared = used == LightTechniques::both && sample->measure == Measure::solid_angle;
@@ -70,8 +73,9 @@ Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint
                      .weight = weight,
                      .pdf = shared ? sample->pdf : 0,
                      .rival = light_pdf,
-                     .source = next ? scene.light_of(*next) : scene.environment_light()});
-    return sample->weight * radiance * weight;
+                     .source = next ? scene.light_of(*next) : scene.environment_light(),
+                     .density = of_vertex.density() * draws.density()});
+    return sample->weight * radiance * weight / draws.density();
 }
 
 }  // namespace plumb

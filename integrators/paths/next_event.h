@@ -13,7 +13,7 @@ namespace plumb {
 /// function.
 struct NextEvent {
     /// A light and a direction towards it.
-    std::optional<SceneLightSample> (*choose)(const Scene&, const PathVertex&, PrimarySamples&, std::uint16_t vertex);
+    std::optional<SceneLightSample> (*choose)(const Scene&, const PathVertex&, Draws&, std::uint16_t vertex);
     /// An unbiased estimate of how much of it arrives.
     double (*visibility)(const Scene&, const PathVertex&, const EmitterSample&, PathRecord&);
     /// The weight of a technique of density p > 0 against one of density q, one sample each: of the two, weights of
@@ -34,12 +34,13 @@ NextEvent default_next_event();
 /// Which techniques find light.
 enum class LightTechniques { emitters, bsdf, both };
 
-/// The estimate by a sample of an emitter; weighted against the BSDF's density where both techniques are at work.
+/// The estimate by a sample of an emitter, over the density of its own numbers, which branch off those of the vertex;
+/// weighted against the BSDF's density where both techniques are at work.
 Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::uint16_t number, LightTechniques used,
-                             const NextEvent& next_event, PrimarySamples& samples, PathRecord& record);
+                             const NextEvent& next_event, const Draws& of_vertex, PathRecord& record);
 
 /// The same by a direction of the BSDF.
 Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint16_t number, LightTechniques used,
-                         const NextEvent& next_event, PrimarySamples& samples, PathRecord& record);
+                         const NextEvent& next_event, const Draws& of_vertex, PathRecord& record);
 
 }  // namespace plumb

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/primary_samples.h"
@@ -46,7 +47,9 @@ struct PathRecord {
     std::vector<PathVertex> vertices;        ///< from the sensor on; the sensor itself is not among them
     std::vector<PathVertex> light_vertices;  ///< from a light on, likewise
     std::vector<Splat> splats;
-    RayLog rays;                 ///< counts on over samples
+    RayLog rays;  ///< counts on over samples
+    /// Of what is seen first: averages over samples are those of this times a property of the first vertex.
+    double first_hit_weight = 1;
     PathStory* story = nullptr;  ///< of the sample, where somebody listens
 
     void clear() {
@@ -54,6 +57,18 @@ struct PathRecord {
         vertices.clear();
         light_vertices.clear();
         splats.clear();
+        first_hit_weight = 1;
+    }
+    /// The gate of all splats: value over the density of the numbers that it depends on. That of others may be divided
+    /// out too: the expectation of 1/q under q is 1, so that nothing but the variance changes.
+    void add(const Splat& splat, double density) {
+        splats.push_back(splat);
+        splats.back().value = splat.value / density;
+    }
+    /// The next vertex from the sensor, found with numbers of this density.
+    PathVertex& meet(const PathVertex& vertex, double density) {
+        if (vertices.empty()) first_hit_weight = 1 / density;
+        return vertices.emplace_back(vertex);
     }
     /// Tells the story, which must be there, of light that is to be the next splat or a part of it.
     void tell(const PathStory::Finding& finding) const { story->found(finding, splats.size()); }
@@ -66,6 +81,8 @@ struct PathRecord {
     }
 };
 
+struct PathShift;  // integrators/paths/shift.h
+
 /// Says what a path is; a driver decides which paths, in which passes. Random numbers come from the slots of
 /// PrimarySamples alone, so that any driver may guide, replay or mutate them.
 struct PathEstimator {
@@ -73,6 +90,9 @@ struct PathEstimator {
     /// One path for the region: its vertices and splats replace those of the record.
     virtual void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
                        PathRecord& record) const = 0;
+    /// How its paths are shifted to other pixels; by random replay where it knows no better. The estimator must outlive
+    /// what it returns.
+    [[nodiscard]] virtual std::unique_ptr<PathShift> shift() const;
 };
 
 }  // namespace plumb

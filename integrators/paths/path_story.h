@@ -29,7 +29,8 @@ struct PathStory {
         double survival = 1;  ///< probability with which roulette lets the path go on; 1 where it is not played
         bool survived = true;
     };
-    /// Light that a strategy found; it adds throughput · light · weight to a splat, or nothing where that is black.
+    /// Light that a strategy found; it adds throughput · light · weight / density to a splat, or nothing where that is
+    /// black.
     struct Finding {
         Strategy strategy;
         Spectrum light;     ///< f L_e / p of what comes behind the throughput
@@ -37,11 +38,12 @@ struct PathStory {
         double pdf = 0;     ///< per steradian, of the technique that found it, where it has a rival
         double rival = 0;   ///< of the technique that it is weighted against; 0: there is none
         std::optional<std::size_t> source =
-            {};  ///< index into Scene::lights(); empty: where the light's subpath starts
+            {};              ///< index into Scene::lights(); empty: where the light's subpath starts
+        double density = 1;  ///< of the numbers that it depends on: 1 unless guided
         Spectrum throughput = {};
         std::size_t splat = 0;  ///< index into PathRecord::splats, where it adds to one
 
-        [[nodiscard]] Spectrum value() const { return throughput * light * weight; }
+        [[nodiscard]] Spectrum value() const { return throughput * light * weight / density; }
     };
 
     std::optional<SceneLightRay> light_ray;  ///< with which the light's subpath starts

@@ -82,12 +82,12 @@ struct Flight {
 
 class Walk {
 public:
-    Walk(const Scene& scene, Transport transport, const SubpathRules& rules, PrimarySamples& samples,
-         PathRecord& record, Subpath& path)
+    Walk(const Scene& scene, Transport transport, const SubpathRules& rules, Draws& draws, PathRecord& record,
+         Subpath& path)
         : scene_(scene),
           transport_(transport),
           rules_(rules),
-          samples_(samples),
+          draws_(draws),
           record_(record),
           path_(path),
           first_(transport == Transport::radiance ? 0 : first_light_vertex) {}
@@ -108,7 +108,7 @@ private:
     }
 
     bool arrive(const Flight& flight, const Spectrum& unit, int edges) {
-        const auto hit = trace_to_hit(scene_, flight.ray, slot(edges), samples_, record_);
+        const auto hit = trace_to_hit(scene_, flight.ray, slot(edges), draws_, record_);
         SubpathVertex vertex{.kind = Kind::environment,
                              .point = in_space(flight.direction),
                              .light = scene_.environment_light(),
@@ -119,12 +119,15 @@ private:
             vertex.point = hit->point;
             vertex.light = scene_.light_of(*hit);
             vertex.surface = vertex_at(scene_, *hit, flight.ray);
-            auto& vertices = transport_ == Transport::radiance ? record_.vertices : record_.light_vertices;
-            vertices.push_back(*vertex.surface);
+            if (transport_ == Transport::radiance)
+                record_.meet(*vertex.surface, draws_.density());
+            else
+                record_.light_vertices.push_back(*vertex.surface);
         } else if (transport_ == Transport::importance || !vertex.light) {
             return false;
         }
         vertex.pdf = rules_.per_area(flight.pdf, path_.back(), vertex);
+        vertex.drawn = draws_.density();
         path_.push_back(vertex);
         return hit.has_value();
     }
@@ -132,10 +135,9 @@ private:
     std::optional<Flight> scatter(const Flight& flight, int edges) {
         SubpathVertex &at = path_.back(), &before = path_[path_.size() - 2];
         const PathVertex& surface = *at.surface;
-        const auto sample =
-            transport_ == Transport::radiance
-                ? sample_bsdf(surface, slot(edges), samples_, rules_.from_camera)
-                : sample_importance(surface, slot(edges), samples_, rules_.correction, rules_.from_light);
+        const auto sample = transport_ == Transport::radiance
+                                ? sample_bsdf(surface, slot(edges), draws_, rules_.from_camera)
+                                : sample_importance(surface, slot(edges), draws_, rules_.correction, rules_.from_light);
         if (!sample) return {};
         at.discrete = sample->measure == Measure::discrete;
         const double back = at.discrete
@@ -149,7 +151,7 @@ private:
         if (is_black(next.throughput)) return {};
         if (edges + 1 <= rules_.limits.roulette_edges) return next;
         const double survives = rules_.survival(next.throughput, next.eta_squared);
-        if (!survives_roulette(survives, slot(edges), samples_, record_)) return {};
+        if (!survives_roulette(survives, slot(edges), draws_, record_)) return {};
         next.throughput = next.throughput / survives;
         return next;
     }
@@ -157,7 +159,7 @@ private:
     const Scene& scene_;
     Transport transport_;
     const SubpathRules& rules_;
-    PrimarySamples& samples_;
+    Draws& draws_;
     PathRecord& record_;
     Subpath& path_;
     int first_;
@@ -165,7 +167,7 @@ private:
 
 }  // namespace
 
-Subpath camera_subpath(const Scene& scene, const CameraStart& start, const SubpathRules& rules, PrimarySamples& samples,
+Subpath camera_subpath(const Scene& scene, const CameraStart& start, const SubpathRules& rules, Draws& draws,
                        PathRecord& record) {
     Subpath path{sensor_vertex(start.ray.origin)};
     const Vec3 direction = normalize(start.ray.direction);
@@ -173,12 +175,12 @@ Subpath camera_subpath(const Scene& scene, const CameraStart& start, const Subpa
     const double pdf =
         scene.sensor().pdf({start.ray.origin, direction}) / (static_cast<double>(film.width) * film.height);
     const Flight flight{start.ray, direction, pdf, Spectrum::grey(1)};
-    Walk(scene, Transport::radiance, rules, samples, record, path).go(flight, Spectrum::grey(1));
+    Walk(scene, Transport::radiance, rules, draws, record, path).go(flight, Spectrum::grey(1));
     return path;
 }
 
-Subpath light_subpath(const Scene& scene, const SubpathRules& rules, PrimarySamples& samples, PathRecord& record) {
-    const auto start = start_at_light(scene, samples, record);
+Subpath light_subpath(const Scene& scene, const SubpathRules& rules, Draws& draws, PathRecord& record) {
+    const auto start = start_at_light(scene, draws, record);
     if (!start) return {};
     const auto& [ray, light, chance] = start->light;
     const bool environment = is_environment(scene.lights()[light]);
@@ -190,12 +192,13 @@ Subpath light_subpath(const Scene& scene, const SubpathRules& rules, PrimarySamp
                         .surface = {}};
     const double area = ray.pdf.area * chance;
     first.pdf = environment ? ray.pdf.direction : area;
+    first.drawn = start->origin_density;
     // What it emits per steradian and cosine, over its density per area: flux without the choice of a direction.
     if (ray.surface) first.throughput = ray.weight * (ray.pdf.direction / dot(ray.surface->normal, ray.direction));
     Subpath path{first};
     if (!rules.limits.allow(2)) return path;
     const Flight flight{start->ray, ray.direction, environment ? area : ray.pdf.direction, Spectrum::grey(1)};
-    Walk(scene, Transport::importance, rules, samples, record, path).go(flight, ray.weight);
+    Walk(scene, Transport::importance, rules, draws, record, path).go(flight, ray.weight);
     return path;
 }
 

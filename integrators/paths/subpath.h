@@ -21,6 +21,7 @@ struct SubpathVertex {
     std::optional<PathVertex> surface;
     Spectrum throughput = Spectrum::grey(1);  ///< with which the subpath arrives
     double pdf = 1;                           ///< with which its subpath found it
+    double drawn = 1;                         ///< density of the numbers that it depends on: 1 unless guided
     double pdf_back = 0;    ///< with which another would have, from the next vertex; known once there are two
     bool discrete = false;  ///< a mirror, or a smooth interface, sent the subpath on
 
@@ -61,10 +62,10 @@ double density_of_origin(const Scene& scene, const SubpathVertex& light, const S
 double density_of_choice(const Scene& scene, const SubpathVertex& light, const SubpathVertex& from, PerArea per_area);
 
 /// The sensor, surfaces, and the environment where the subpath leaves the scene.
-Subpath camera_subpath(const Scene& scene, const CameraStart& start, const SubpathRules& rules, PrimarySamples& samples,
+Subpath camera_subpath(const Scene& scene, const CameraStart& start, const SubpathRules& rules, Draws& draws,
                        PathRecord& record);
 /// A vertex of a light, and surfaces. Empty without lights.
-Subpath light_subpath(const Scene& scene, const SubpathRules& rules, PrimarySamples& samples, PathRecord& record);
+Subpath light_subpath(const Scene& scene, const SubpathRules& rules, Draws& draws, PathRecord& record);
 
 SubpathVertex sensor_vertex(Vec3 position);
 /// Of a light that sample_light(from) found.

@@ -9,15 +9,15 @@ struct CameraStart {
     Point<2> film;
     Ray ray;
 };
-CameraStart start_at_camera(const Scene& scene, const FilmRegion& region, PrimarySamples& samples);
+CameraStart start_at_camera(const Scene& scene, const FilmRegion& region, Draws& draws);
 
 /// Where a ray meets the scene, at the vertex with this number (the sensor is 0); empty where it leaves it.
-std::optional<Hit> trace_to_hit(const Scene& scene, const Ray& ray, std::uint16_t vertex, PrimarySamples& samples,
+std::optional<Hit> trace_to_hit(const Scene& scene, const Ray& ray, std::uint16_t vertex, Draws& draws,
                                 PathRecord& record);
 /// With what scatters there, for light that leaves against the ray.
 PathVertex vertex_at(const Scene& scene, const Hit& hit, const Ray& ray);
-std::optional<PathVertex> trace_to_vertex(const Scene& scene, const Ray& ray, std::uint16_t vertex,
-                                          PrimarySamples& samples, PathRecord& record);
+std::optional<PathVertex> trace_to_vertex(const Scene& scene, const Ray& ray, std::uint16_t vertex, Draws& draws,
+                                          PathRecord& record);
 
 /// A direction that the BSDF of a vertex chose, in the world.
 struct ScatterSample {
@@ -28,7 +28,7 @@ struct ScatterSample {
     double eta;
 };
 /// Empty where nothing scatters, or where the normals disagree about the side of the light.
-std::optional<ScatterSample> sample_bsdf(const PathVertex& vertex, std::uint16_t number, PrimarySamples& samples,
+std::optional<ScatterSample> sample_bsdf(const PathVertex& vertex, std::uint16_t number, Draws& draws,
                                          Transport transport);
 /// Tells the story, where somebody listens, of a direction and the throughput behind it.
 inline void tell_scattering(const PathRecord& record, std::uint16_t number, const ScatterSample& sample,
@@ -37,9 +37,8 @@ inline void tell_scattering(const PathRecord& record, std::uint16_t number, cons
         record.story->scattered({number, sample.direction, sample.pdf, sample.measure, sample.eta, throughput});
 }
 /// Whether a path goes on, which it does with this probability, in the direction told last.
-inline bool survives_roulette(double probability, std::uint16_t number, PrimarySamples& samples,
-                              const PathRecord& record) {
-    const bool survives = samples.at({number, Use::roulette}).u[0] < probability;
+inline bool survives_roulette(double probability, std::uint16_t number, Draws& draws, const PathRecord& record) {
+    const bool survives = draws.at({number, Use::roulette})[0] < probability;
     if (record.story) record.story->played(probability, survives);
     return survives;
 }

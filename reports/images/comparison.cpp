@@ -6,6 +6,7 @@
 #include "reports/page/page_files.h"
 #include "reports/page/page_template.h"
 #include "reports/text/json_values.h"
+#include "reports/text/xml.h"
 
 namespace plumb::reports {
 namespace {

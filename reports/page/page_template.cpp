@@ -6,12 +6,6 @@
 
 namespace plumb::reports {
 
-std::string escaped(std::string_view text) {
-    std::string safe;
-    for (const char c : text) safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-    return safe;
-}
-
 std::string filled(std::string_view document, const std::vector<std::pair<std::string, std::string_view>>& parts) {
     std::string html;
     for (const auto& [name, text] : parts) {

@@ -52,7 +52,7 @@ TEST(Page, OfConvergeHasNoVerdicts) {
 // ---- in a browser
 
 Browsed browse(const std::string& page, int width, const std::string& options = "") {
-    return plumb::browse(page, "try_everything.js", width, options);
+    return plumb::reports::browse(page, "try_everything.js", width, options);
 }
 
 TEST_F(PageInBrowser, DrawsItsPlotsAndSurvivesEveryControl) {

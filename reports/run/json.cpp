@@ -1,8 +1,10 @@
 #include "reports/run/json.h"
 
+#include <array>
 #include <cmath>
 
 #include "core/error.h"
+#include "core/named.h"
 #include "reports/run/json_document.h"
 
 namespace plumb::reports {
@@ -26,13 +28,9 @@ Interval interval_from(const Json& json) {
 }
 
 Kind kind_from(std::string_view text) {
-    std::vector<std::string> known;
-    for (const Kind kind :
-         {Kind::exact, Kind::bounded, Kind::distribution, Kind::mean, Kind::ratio, Kind::rate, Kind::cost}) {
-        if (text == to_string(kind)) return kind;
-        known.push_back(to_string(kind));
-    }
-    throw unknown_name("kind", text, known);
+    static constexpr std::array kinds{Kind::exact, Kind::bounded, Kind::distribution, Kind::mean,
+                                      Kind::ratio, Kind::rate,    Kind::cost};
+    return find_named(kinds, text, "kind", [](Kind kind) { return to_string(kind); });
 }
 
 // ---- evidence

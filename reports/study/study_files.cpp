@@ -2,22 +2,12 @@
 
 #include <iterator>
 
+#include "reports/study/csv.h"
 #include "reports/study/study_page.h"
 #include "reports/study/svg_plot.h"
 
 namespace plumb::reports {
 namespace {
-
-std::string cell(std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + '"';
-}
-
-std::string cell(double x) {
-    return std::isnan(x) ? "" : fmt::format("{}", x);
-}
 
 SvgPlot plot_of(const FigureText& about, const FigurePanel& panel, Metric metric,
                 const std::vector<EstimatorStyle>& styles) {
@@ -61,15 +51,19 @@ std::string study_csv(const StudyResult& study) {
             for (const Series& series : panel.series)
                 for (const ConvergencePoint& p : series.points)
                     fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
-                                   cell(figure.about.id), cell(series.estimator), cell(series.integrand), p.n,
-                                   cell(p.evaluations), cell(p.seconds), cell(p.mse), cell(p.mse_interval.low),
-                                   cell(p.mse_interval.high), cell(p.bias), cell(p.bias_standard_error),
-                                   series.replicates, cell(panel.integral));
+                                   csv_cell(figure.about.id), csv_cell(series.estimator), csv_cell(series.integrand),
+                                   p.n, csv_cell(p.evaluations), csv_cell(p.seconds), csv_cell(p.mse),
+                                   csv_cell(p.mse_interval.low), csv_cell(p.mse_interval.high), csv_cell(p.bias),
+                                   csv_cell(p.bias_standard_error), series.replicates, csv_cell(panel.integral));
     return csv;
 }
 
 std::vector<FolderFile> study_files(const StudyResult& study) {
     std::vector<FolderFile> files = {{"index.html", study_html(study)}, {"series.csv", study_csv(study)}};
+    if (!study.headlines.empty()) {
+        files.push_back({"headlines.csv", headline_csv(study.headlines)});
+        files.push_back({"headlines.json", headlines_json(study)});
+    }
     const std::vector<EstimatorStyle> styles = estimator_styles(study);
     for (const FigureResult& figure : study.figures)
         for (const FigurePanel& panel : figure.panels)

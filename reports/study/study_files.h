@@ -7,8 +7,8 @@
 
 namespace plumb::reports {
 
-/// What a study leaves behind: index.html (needs nothing else), series.csv (a row for each point of each series) and
-/// one SVG for each integrand and metric of each figure.
+/// What a study leaves behind: index.html (needs nothing else), series.csv (a row for each point of each series), one
+/// SVG for each integrand and metric of each figure, and headlines.csv and headlines.json where there are some.
 std::vector<FolderFile> study_files(const StudyResult& study);
 
 /// Its rows: figure, estimator, integrand, n, evaluations, seconds, mse, mse_low, mse_high, bias, bias_standard_error,

@@ -27,6 +27,30 @@ Json figure(const FigureResult& result, std::vector<Series>& series) {
     return json;
 }
 
+Json headline(const Headline& h) {
+    return {{"source", h.source},
+            {"place", h.place},
+            {"states", h.states},
+            {"figure", h.figure},
+            {"measure", h.measure},
+            {"stated", json_values::interval(h.stated)},
+            {"stated_text", bound_text(h.stated)},
+            {"measured",
+             {{"value", json_values::number(h.value)},
+              {"low", json_values::number(h.interval.low)},
+              {"high", json_values::number(h.interval.high)}}},
+            {"logarithmic", h.logarithmic},
+            {"outcome", to_string(h.outcome)},
+            {"reason", h.reason},
+            {"remark", h.remark}};
+}
+
+Json headlines(const std::vector<Headline>& list) {
+    Json json = Json::array();
+    for (const Headline& one : list) json.push_back(headline(one));
+    return json;
+}
+
 // {"results": the run and all its series, "against": null, "study": texts and figures, which name their series by
 // index}.
 std::string page_data(const StudyResult& study) {
@@ -43,10 +67,20 @@ std::string page_data(const StudyResult& study) {
                          {"text", study.about.text},
                          {"source", study.about.source},
                          {"styles", styles},
-                         {"figures", figures}}}});
+                         {"figures", figures},
+                         {"headline_level", headline_level},
+                         {"headlines", headlines(study.headlines)}}}});
 }
 
 }  // namespace
+
+std::string headlines_json(const StudyResult& study) {
+    return json_values::text_of({{"run", json_document({.run = study.run})["run"]},
+                                 {"level", headline_level},
+                                 {"headlines", headlines(study.headlines)}},
+                                2) +
+           "\n";
+}
 
 std::string study_html(const StudyResult& study) {
     return page_html("Plumb study: " + study.about.title, page_data(study));

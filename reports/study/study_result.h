@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "reports/run/results.h"
+#include "reports/study/headline.h"
 #include "reports/study/metric.h"
 
 namespace plumb::reports {
@@ -40,6 +41,7 @@ struct StudyResult {
     RunInfo run;
     StudyText about;
     std::vector<FigureResult> figures;
+    std::vector<Headline> headlines = {};
 };
 
 /// Which colour and symbol each estimator has in all figures of a study: a number that no other has, and, while eight

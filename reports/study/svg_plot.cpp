@@ -4,6 +4,7 @@
 
 #include "reports/study/log_axis.h"
 #include "reports/text/text.h"
+#include "reports/text/xml.h"
 
 namespace plumb::reports {
 namespace {
@@ -20,20 +21,6 @@ constexpr std::array symbols = {
     "M0,4.2L3.8,-2.6H-3.8z",                                                             // triangle, point down
 };
 constexpr double left = 66, top = 58, width = 470, height = 340, right = left + width, bottom = top + height;
-
-std::string escaped(std::string_view text) {
-    std::string safe;
-    for (const char c : text) {
-        switch (c) {
-            case '<': safe += "&lt;"; break;
-            case '>': safe += "&gt;"; break;
-            case '&': safe += "&amp;"; break;
-            case '\'': safe += "&apos;"; break;
-            default: safe += c;
-        }
-    }
-    return safe;
-}
 
 bool drawable(const SvgPoint& p) {
     return p.x > 0 && p.y > 0 && std::isfinite(p.x) && std::isfinite(p.y);

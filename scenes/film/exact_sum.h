@@ -19,12 +19,14 @@ public:
     /// x must be accepted.
     void add(double x) { sum_ += static_cast<Integer>(std::nearbyint(x * scale)); }
     void merge(const FixedPointSum& other) { sum_ += other.sum_; }
+    __extension__ using Integer = __int128;
+    /// The sum in multiples of 2^-fraction_bits.
+    [[nodiscard]] Integer bits() const { return sum_; }
     /// The sum rounded once.
     [[nodiscard]] double value() const { return static_cast<double>(sum_) / scale; }
     friend bool operator==(const FixedPointSum&, const FixedPointSum&) = default;
 
 private:
-    __extension__ using Integer = __int128;
     static constexpr double scale = static_cast<double>(Integer{1} << fraction_bits);
     Integer sum_ = 0;
 };

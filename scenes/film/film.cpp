@@ -50,6 +50,7 @@ void BadValues::merge(const BadValues& other) {
     nan += other.nan;
     infinite += other.infinite;
     negative += other.negative;
+    large += other.large;
 }
 
 FilmPass::FilmPass(FilmSize size, std::vector<FilmLayer> layers)
@@ -70,22 +71,25 @@ void FilmPass::add(int x, int y, std::span<const Spectrum> values) {
         throw Error(fmt::format("{} values for a film of {} layers", values.size(), layers_.size()));
     const std::size_t place = pixel(x, y);
     ++samples_[place];
-    ExactSum* sum = &sums_[place * channels_];
+    std::size_t sum = place * channels_;
     for (std::size_t i = 0; i < layers_.size(); sum += layers_[i++].channels.size()) add_to(sum, layers_[i], values[i]);
 }
 
 void FilmPass::splat(int x, int y, const Spectrum& value) {
-    add_to(&sums_[pixel(x, y) * channels_], layers_[0], value);
+    add_to(pixel(x, y) * channels_, layers_[0], value);
 }
 
-void FilmPass::add_to(ExactSum* sums, const FilmLayer& layer, const Spectrum& value) {
+void FilmPass::add_to(std::size_t first_sum, const FilmLayer& layer, const Spectrum& value) {
     for (std::size_t c = 0; c < layer.channels.size(); ++c) {
-        if (std::isnan(value[c])) ++bad_.nan;
         if (layer.non_negative && value[c] < 0) ++bad_.negative;
-        if (ExactSum::accepts(value[c]))
-            sums[c].add(value[c]);
-        else if (!std::isnan(value[c]))
-            ++bad_.infinite;
+        if (ExactSum::accepts(value[c])) {
+            sums_[first_sum + c].add(value[c]);
+        } else if (std::isfinite(value[c])) {
+            ++bad_.large;
+            wide_.add(first_sum + c, value[c]);
+        } else {
+            ++(std::isnan(value[c]) ? bad_.nan : bad_.infinite);
+        }
     }
 }
 
@@ -93,6 +97,7 @@ void FilmPass::merge(const FilmPass& other) {
     require_same_shape(size_, other.size_);
     require_same_channels(channels_, other.channels_);
     merge_all(sums_, other.sums_);
+    wide_.merge(other.wide_);
     for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i] += other.samples_[i];
     bad_.merge(other.bad_);
 }
@@ -106,12 +111,18 @@ void FilmPass::merge_at(int x, int y, const FilmPass& part) {
             for (std::size_t c = 0; c < channels_; ++c)
                 sums_[to * channels_ + c].merge(part.sums_[from * channels_ + c]);
         }
+    for (const auto& [number, sum] : part.wide_.sums()) {
+        const auto at = static_cast<int>(number / channels_), width = part.size_.width;
+        wide_.merge(pixel(x + at % width, y + at / width) * channels_ + number % channels_, sum);
+    }
     bad_.merge(part.bad_);
 }
 
 double FilmPass::mean(int x, int y, std::size_t channel) const {
     const std::size_t place = pixel(x, y);
-    return samples_[place] == 0 ? 0 : sums_[place * channels_ + channel].value() / static_cast<double>(samples_[place]);
+    if (samples_[place] == 0) return 0;
+    const std::size_t number = place * channels_ + channel;
+    return wide_.total(number, sums_[number]) / static_cast<double>(samples_[place]);
 }
 
 Film::Film(FilmSize size, std::vector<FilmLayer> layers)
@@ -136,8 +147,15 @@ void Film::add(const FilmPass& pass) {
             samples_[at(x, y, 0) / channels_] += pass.samples(x, y);
             for (std::size_t c = 0; c < channels_; ++c) {
                 const double mean = pass.mean(x, y, c);
-                sums_[at(x, y, c)].add(mean);
-                squares_[at(x, y, c)].add(mean * mean);
+                const std::size_t number = at(x, y, c);
+                if (ExactSum::accepts(mean))
+                    sums_[number].add(mean);
+                else
+                    wide_sums_.add(number, mean);
+                if (ExactSumOfSquares::accepts(mean * mean))
+                    squares_[number].add(mean * mean);
+                else
+                    wide_squares_.add(number, mean * mean);
             }
         }
     ++replicates_;
@@ -149,6 +167,8 @@ void Film::merge(const Film& other) {
     require_same_channels(channels_, other.channels_);
     merge_all(sums_, other.sums_);
     merge_all(squares_, other.squares_);
+    wide_sums_.merge(other.wide_sums_);
+    wide_squares_.merge(other.wide_squares_);
     for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i] += other.samples_[i];
     replicates_ += other.replicates_;
     bad_.merge(other.bad_);
@@ -159,13 +179,17 @@ std::uint64_t Film::samples(int x, int y) const {
 }
 
 double Film::mean(int x, int y, std::size_t channel) const {
-    return replicates_ == 0 ? 0 : sums_[at(x, y, channel)].value() / static_cast<double>(replicates_);
+    if (replicates_ == 0) return 0;
+    const std::size_t number = at(x, y, channel);
+    return wide_sums_.total(number, sums_[number]) / static_cast<double>(replicates_);
 }
 
 double Film::variance_of_mean(int x, int y, std::size_t channel) const {
     if (replicates_ < 2) return std::numeric_limits<double>::infinity();
     const double n = static_cast<double>(replicates_), m = mean(x, y, channel);
-    const double square = squares_[at(x, y, channel)].value() / n, centred = square - m * m;
+    const std::size_t number = at(x, y, channel);
+    const double square = wide_squares_.total(number, squares_[number]) / n, centred = square - m * m;
+    if (!std::isfinite(centred)) return std::numeric_limits<double>::infinity();
     // What rounding leaves of a constant is no variance: of each square when it was added, and of both terms here.
     const double rounding = ExactSumOfSquares::resolution + 4 * std::numeric_limits<double>::epsilon() * square;
     return centred > rounding ? centred / (n - 1) : 0;

@@ -9,6 +9,7 @@
 #include "core/spectrum.h"
 #include "scenes/film/exact_sum.h"
 #include "scenes/film/film_size.h"
+#include "scenes/film/wide_sum.h"
 
 namespace plumb {
 
@@ -19,10 +20,10 @@ struct FilmLayer {
     bool non_negative = true;           ///< then negative values are counted
 };
 
-/// Values that should not be. NaN and values that are infinite or not below 2^31 add nothing to a pixel; negative ones
-/// do add.
+/// Values that should not be, or seldom. NaN and infinite ones add nothing to a pixel; negative ones do add, and so do
+/// large ones, of 2^31 and more, as exactly as others: a film that drops them is biased.
 struct BadValues {
-    std::uint64_t nan = 0, infinite = 0, negative = 0;
+    std::uint64_t nan = 0, infinite = 0, negative = 0, large = 0;
     void merge(const BadValues& other);
     friend bool operator==(const BadValues&, const BadValues&) = default;
 };
@@ -34,6 +35,8 @@ public:
 
     /// One sample of a pixel: the layers' values in their order, as many lanes of each as it has channels.
     void add(int x, int y, std::span<const Spectrum> values);
+    /// So many samples of a pixel that bring nothing to any layer.
+    void add_black(int x, int y, std::uint64_t count) { samples_[pixel(x, y)] += count; }
     /// Light that the path of another pixel's sample brings to this one: adds to the sum of the first layer, already
     /// divided by the paths that bring some a sample.
     void splat(int x, int y, const Spectrum& value);
@@ -51,12 +54,13 @@ public:
 
 private:
     [[nodiscard]] std::size_t pixel(int x, int y) const;
-    void add_to(ExactSum* sums, const FilmLayer& layer, const Spectrum& value);
+    void add_to(std::size_t first_sum, const FilmLayer& layer, const Spectrum& value);
 
     FilmSize size_;
     std::vector<FilmLayer> layers_;
     std::size_t channels_;
     std::vector<ExactSum> sums_;  // pixel by pixel, channel by channel
+    WideSums wide_;               // of large values, by the same numbers
     std::vector<std::uint64_t> samples_;
     BadValues bad_;
 };
@@ -93,6 +97,7 @@ private:
     std::size_t channels_;
     std::vector<ExactSum> sums_;
     std::vector<ExactSumOfSquares> squares_;
+    WideSums wide_sums_, wide_squares_;  // of large values, by the same numbers
     std::vector<std::uint64_t> samples_;
     std::uint64_t replicates_ = 0;
     BadValues bad_;

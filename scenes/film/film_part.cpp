@@ -13,7 +13,7 @@ namespace plumb {
 
 namespace {
 
-constexpr std::string_view magic = "PLUMBFILM1\n";
+constexpr std::string_view magic = "PLUMBFILM2\n";
 
 template <class T>
 concept Plain = std::is_trivially_copyable_v<T>;
@@ -35,6 +35,13 @@ public:
         (*this)(values.size());
         bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
     }
+    void operator()(const WideSums& wide) {
+        (*this)(wide.sums().size());
+        for (const auto& [number, sum] : wide.sums()) {
+            (*this)(number);
+            (*this)(sum);
+        }
+    }
 };
 
 class Reader {
@@ -55,6 +62,14 @@ public:
     void fill(std::vector<T>& values) {
         if (const auto size = plain<std::size_t>(); size != values.size()) throw damaged();
         std::memcpy(values.data(), take(values.size(), sizeof(T)), values.size() * sizeof(T));
+    }
+    /// Of as many exact sums.
+    void fill(WideSums& wide, std::size_t sums) {
+        for (auto left = plain<std::size_t>(); left > 0; --left) {
+            const auto number = plain<std::size_t>();
+            if (number >= sums) throw damaged();
+            wide.merge(number, plain<WideSum>());
+        }
     }
     [[nodiscard]] Error damaged() const {
         return Error(file_.string() + ": cut off or damaged: its checksum is not that of its content");
@@ -91,6 +106,8 @@ struct FilmBits {
         to(film.bad_);
         to(film.sums_);
         to(film.squares_);
+        to(film.wide_sums_);
+        to(film.wide_squares_);
         to(film.samples_);
     }
     static Film read(Reader& from) {
@@ -107,6 +124,8 @@ struct FilmBits {
         film.bad_ = from.plain<BadValues>();
         from.fill(film.sums_);
         from.fill(film.squares_);
+        from.fill(film.wide_sums_, film.sums_.size());
+        from.fill(film.wide_squares_, film.sums_.size());
         from.fill(film.samples_);
         return film;
     }

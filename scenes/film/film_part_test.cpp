@@ -15,7 +15,7 @@ Film film_of(std::initializer_list<double> passes) {
     Film film({2, 1}, layers);
     for (const double value : passes) {
         FilmPass pass({2, 1}, layers);
-        pass.add(0, 0, std::vector{Spectrum::rgb(value, 0.1, 1e-17), Spectrum::grey(-3)});
+        pass.add(0, 0, std::vector{Spectrum::rgb(value, 0.1, 1e-17), Spectrum::grey(-3e12)});
         pass.add(1, 0, std::vector{Spectrum::grey(NAN), Spectrum::grey(1e8)});
         film.add(pass);
     }

@@ -57,9 +57,33 @@ TEST(Film, FindsNoVarianceInConstants) {
 
 TEST(Film, CountsWhatShouldNotBe) {
     const FilmPass pass = pass_of({NAN, HUGE_VAL, -1, 1e30, 3});
-    EXPECT_EQ(pass.bad_values(), (BadValues{3, 6, 3}));  // three channels each; a depth may be negative
+    EXPECT_EQ(pass.bad_values(), (BadValues{3, 3, 3, 3}));  // three channels each; a depth may be negative
     EXPECT_EQ(pass.samples(0, 0), 5u);
-    EXPECT_DOUBLE_EQ(pass.mean(0, 0, 0), 2.0 / 5);
+    EXPECT_DOUBLE_EQ(pass.mean(0, 0, 0), (1e30 + 2) / 5);
+}
+
+TEST(Film, KeepsLargeValuesInTheirPixel) {
+    FilmPass part({2, 1}, layers);
+    part.add(1, 0, std::vector{Spectrum::rgb(1, 0x1p40, 3), Spectrum::grey(-0x1p50)});
+    FilmPass pass({3, 2}, layers);
+    pass.merge_at(1, 1, part);
+    EXPECT_EQ(pass.mean(2, 1, 1), 0x1p40);
+    EXPECT_EQ(pass.mean(2, 1, 3), -0x1p50);
+    EXPECT_EQ(pass.mean(1, 1, 1), 0);
+    Film film({3, 2}, layers);
+    film.add(pass);
+    film.add(FilmPass({3, 2}, layers));
+    EXPECT_EQ(film.mean(2, 1, 1), 0x1p39);
+    EXPECT_EQ(film.variance_of_mean(2, 1, 1), 0x1p78);  // of means 2^40 and 0: spread 2^79, over 2
+    EXPECT_EQ(film.bad_values(), (BadValues{0, 0, 0, 2}));
+}
+
+TEST(Film, IsUncertainOfWhatIsTooLargeToSquare) {
+    Film film({1, 1}, layers);
+    film.add(pass_of({1e200}));
+    film.add(pass_of({2e200}));
+    EXPECT_DOUBLE_EQ(film.mean(0, 0, 0), 1.5e200);
+    EXPECT_EQ(film.variance_of_mean(0, 0, 0), std::numeric_limits<double>::infinity());
 }
 
 TEST(Film, RefusesOtherShapes) {

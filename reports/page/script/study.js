@@ -102,5 +102,6 @@ const studySections = () => [
     null,
     h("div", { class: "lead" }, paragraphs(study.text), study.source ? h("p", {}, `Source: ${study.source}`) : null),
   ),
+  ...(study.headlines.length ? [headlineSection()] : []),
   ...study.figures.map(studySection),
 ];

@@ -149,7 +149,7 @@ void add_calibration_functions(Catalogue& catalogue) {
                          std::string defect, auto wrong) {
         catalogue.add({.id = "calibration/functions/" + id,
                        .statement = std::move(statement),
-                       .source = "Abramowitz & Stegun 1964, 26.4 and 26.5, summed in MPFR",
+                       .source = "[Abramowitz & Stegun 1964, 26.4 and 26.5], summed in MPFR",
                        .kind = Kind::bounded,
                        .trial = {check, right, {{std::move(mutant), std::move(defect), wrong}}}});
     };

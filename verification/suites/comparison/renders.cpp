@@ -56,8 +56,8 @@ description::Scene still_life(const Lens& lens) {
     constexpr double height = 0.456, pixel_at_target = 2 * 0.36397 * 6 / edge;
     description::Sensor sensor;
     sensor.to_world = Transform::look_at({0, -6, height}, {0, 0, height + lens.aside * pixel_at_target}, {0, 0, 1});
-    sensor.fov_x = 40;
-    sensor.film = {edge, edge, {description::FilterKind::tent, lens.filter_radius, 0.5}};
+    sensor.kind = description::Perspective{40};
+    sensor.film = {edge, edge, TentFilter(lens.filter_radius)};
     scene.sensor = sensor;
     return scene;
 }
@@ -136,10 +136,10 @@ double without_cosine_on_ball(const Scene& scene, const PathVertex& vertex, cons
     return vertex.hit.shape == ball ? arrives / std::abs(dot(vertex.frame.z, light.direction)) : arrives;
 }
 
-std::optional<SceneLightSample> without_point_at_times(const Scene& scene, const PathVertex& vertex,
-                                                       PrimarySamples& numbers, std::uint16_t number) {
-    const auto light = default_next_event().choose(scene, vertex, numbers, number);
-    const bool left_out = light && light->light == point && numbers.at({number, Use::wavelength}).u[0] < 0.01;
+std::optional<SceneLightSample> without_point_at_times(const Scene& scene, const PathVertex& vertex, Draws& draws,
+                                                       std::uint16_t number) {
+    const auto light = default_next_event().choose(scene, vertex, draws, number);
+    const bool left_out = light && light->light == point && draws.at({number, Use::wavelength})[0] < 0.01;
     return left_out ? std::nullopt : light;
 }
 

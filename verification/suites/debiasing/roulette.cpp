@@ -88,7 +88,7 @@ void add_debiasing_roulette(Catalogue& catalogue) {
         .id = "debiasing/roulette/expectation",
         .statement =
             "Nested Russian roulettes keep the mean and have the variance (σ² + μ²)/q − μ², over every outcome.",
-        .source = "Arvo & Kirk 1990; variance ours, estimators/debiasing/russian_roulette.h",
+        .source = "[Arvo & Kirk 1990]; variance ours, estimators/debiasing/russian_roulette.h",
         .kind = Kind::exact,
         .trial = {roulette_enumerated,
                   {},
@@ -99,7 +99,7 @@ void add_debiasing_roulette(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/roulette/mean",
         .statement = "Russian roulette keeps the mean.",
-        .source = "Arvo & Kirk 1990",
+        .source = "[Arvo & Kirk 1990]",
         .kind = Kind::mean,
         .trial = {roulette_mean,
                   {},

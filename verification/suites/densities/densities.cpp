@@ -270,7 +270,7 @@ void add_discrete(Catalogue& catalogue) {
     catalogue.add({
         .id = "discrete/alias/exact",
         .statement = "An alias table of integer weights gives every index exactly its weight.",
-        .source = "Vose 1991",
+        .source = "[Vose 1991]",
         .kind = Kind::exact,
         .trial = {alias_masses,
                   [](const Table& t, std::size_t i) { return t.columns()[i].threshold; },
@@ -290,7 +290,7 @@ void add_discrete(Catalogue& catalogue) {
     catalogue.add({
         .id = "discrete/alias/distribution",
         .statement = "Draws from an alias table follow the weights.",
-        .source = "Vose 1991",
+        .source = "[Vose 1991]",
         .kind = Kind::distribution,
         .trial = {indices_follow,
                   [table = Table(discrete_weights)](RandomStream& random) { return table.sample(random); },

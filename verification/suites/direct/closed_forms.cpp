@@ -194,9 +194,9 @@ Verdict is_closed_form(const std::vector<Case>& cases, const Technique& techniqu
 using Estimator = std::shared_ptr<const PathEstimator>;
 using Defect = Wrong<Estimator>;
 
-std::optional<SceneLightSample> chosen(const Scene& scene, const PathVertex& vertex, PrimarySamples& samples,
+std::optional<SceneLightSample> chosen(const Scene& scene, const PathVertex& vertex, Draws& draws,
                                        std::uint16_t number) {
-    return default_next_event().choose(scene, vertex, samples, number);
+    return default_next_event().choose(scene, vertex, draws, number);
 }
 
 NextEvent with_choice(decltype(NextEvent::choose) choose) {
@@ -212,14 +212,14 @@ NextEvent with_weight(decltype(NextEvent::weight) weight) {
 
 std::vector<Defect> emitter_defects() {
     const NextEvent no_cosine =
-        with_choice([](const Scene& scene, const PathVertex& vertex, PrimarySamples& samples, std::uint16_t number) {
-            auto light = chosen(scene, vertex, samples, number);
+        with_choice([](const Scene& scene, const PathVertex& vertex, Draws& draws, std::uint16_t number) {
+            auto light = chosen(scene, vertex, draws, number);
             if (light) light->sample.radiance *= 1 / std::abs(dot(vertex.frame.z, light->sample.direction));
             return light;
         });
     const NextEvent per_area =
-        with_choice([](const Scene& scene, const PathVertex& vertex, PrimarySamples& samples, std::uint16_t number) {
-            auto light = chosen(scene, vertex, samples, number);
+        with_choice([](const Scene& scene, const PathVertex& vertex, Draws& draws, std::uint16_t number) {
+            auto light = chosen(scene, vertex, draws, number);
             if (light) {
                 const EmitterSample& s = light->sample;
                 light->pdf /= per_steradian(1, s.distance, std::abs(dot(s.surface->normal, s.direction)));
@@ -236,8 +236,8 @@ std::vector<Defect> bsdf_defects() {
     std::vector<Defect> defects{{"another-density",
                                  "Directions are uniform, their weight is that of cosine-weighted ones.",
                                  std::make_shared<DirectBy>([](const Scene& scene, const PathVertex& vertex,
-                                                               PrimarySamples& samples, PathRecord& record) {
-                                     Vec3 local = sample_uniform_sphere(samples.at({1, Use::direction}).u);
+                                                               const Draws& of_vertex, PathRecord& record) {
+                                     Vec3 local = sample_uniform_sphere(of_vertex.branch().at({1, Use::direction}));
                                      local.z = std::abs(local.z);
                                      const Vec3 wi = vertex.frame.to_world(local);
                                      const auto hit = scene.intersect(leave(vertex.hit.point, wi), 0, record.rays);
@@ -245,12 +245,12 @@ std::vector<Defect> bsdf_defects() {
                                  })}};
     defects.push_back(
         {"frame-of-the-world", "The sample's direction is not turned from the shading frame into the world's.",
-         std::make_shared<DirectBy>(
-             [](const Scene& scene, const PathVertex& vertex, PrimarySamples& samples, PathRecord& record) {
-                 PathVertex other = vertex;
-                 other.frame = Frame(up);
-                 return light_from_bsdf(scene, other, 1, LightTechniques::bsdf, default_next_event(), samples, record);
-             })});
+         std::make_shared<DirectBy>([](const Scene& scene, const PathVertex& vertex, const Draws& of_vertex,
+                                       PathRecord& record) {
+             PathVertex other = vertex;
+             other.frame = Frame(up);
+             return light_from_bsdf(scene, other, 1, LightTechniques::bsdf, default_next_event(), of_vertex, record);
+         })});
     return defects;
 }
 
@@ -259,10 +259,10 @@ std::vector<Defect> mis_defects() {
     const NextEvent all = with_weight([](double, double) { return 1.0; });
     return {{"squared-on-one-side", "The power heuristic for emitters, the balance heuristic for BSDFs.",
              std::make_shared<DirectBy>(
-                 [balance](const Scene& scene, const PathVertex& vertex, PrimarySamples& samples, PathRecord& record) {
+                 [balance](const Scene& scene, const PathVertex& vertex, const Draws& of_vertex, PathRecord& record) {
                      constexpr auto both = LightTechniques::both;
-                     return light_from_emitters(scene, vertex, 1, both, default_next_event(), samples, record) +
-                            light_from_bsdf(scene, vertex, 1, both, balance, samples, record);
+                     return light_from_emitters(scene, vertex, 1, both, default_next_event(), of_vertex, record) +
+                            light_from_bsdf(scene, vertex, 1, both, balance, of_vertex, record);
                  })},
             {"counted-twice", "Both techniques count in full.", std::make_shared<Direct>(LightTechniques::both, all)}};
 }

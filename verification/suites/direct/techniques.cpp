@@ -133,9 +133,9 @@ Verdict agree(const View& view, const PathEstimator& mis, const Run& run) {
 
 // ---- mutants
 
-std::optional<SceneLightSample> without_pmf(const Scene& scene, const PathVertex& vertex, PrimarySamples& samples,
+std::optional<SceneLightSample> without_pmf(const Scene& scene, const PathVertex& vertex, Draws& draws,
                                             std::uint16_t number) {
-    auto light = default_next_event().choose(scene, vertex, samples, number);
+    auto light = default_next_event().choose(scene, vertex, draws, number);
     if (light) light->pdf = light->sample.pdf;
     return light;
 }
@@ -148,16 +148,17 @@ double environment_alone(const Scene& scene, Vec3 from, Vec3 direction) {
 }
 
 /// light_from_bsdf with another density for the environment.
-Spectrum from_bsdf_without_pmf(const Scene& scene, const PathVertex& vertex, PrimarySamples& samples,
+Spectrum from_bsdf_without_pmf(const Scene& scene, const PathVertex& vertex, const Draws& of_vertex,
                                PathRecord& record) {
-    const auto u = samples.at({1, Use::direction}).u;
-    const auto sample = vertex.bsdf.sample(vertex.to_local(vertex.wo), {samples.at({1, Use::lobe}).u[0], u[0], u[1]},
-                                           Transport::radiance);
+    Draws draws = of_vertex.branch();
+    const auto u = draws.at({1, Use::direction});
+    const auto sample =
+        vertex.bsdf.sample(vertex.to_local(vertex.wo), {draws.at({1, Use::lobe})[0], u[0], u[1]}, Transport::radiance);
     if (!sample) return {};
     const Vec3 wi = vertex.frame.to_world(sample->wi), from = vertex.hit.point.position;
     if (!vertex.agree(wi)) return {};
     const Ray ray = leave(vertex.hit.point, wi);
-    const auto hit = scene.intersect(ray, samples.at({2, Use::shadow}).u[0], record.rays);
+    const auto hit = scene.intersect(ray, draws.at({2, Use::shadow})[0], record.rays);
     const Spectrum radiance = hit ? scene.emitted(*hit, -wi) : scene.environment(ray);
     const double density = hit ? scene.light_pdf(*hit, from, wi) : environment_alone(scene, from, wi);
     return sample->weight * radiance * mis_weight(sample->pdf, density);
@@ -201,10 +202,9 @@ void add_environment(Catalogue& catalogue) {
     const auto check = [](const Estimator& estimator, const Run& run) { return is_white(*estimator, run); };
     NextEvent no_pmf = default_next_event();
     no_pmf.choose = without_pmf;
-    const auto one_side = [](const Scene& scene, const PathVertex& vertex, PrimarySamples& samples,
-                             PathRecord& record) {
-        return light_from_emitters(scene, vertex, 1, LightTechniques::both, default_next_event(), samples, record) +
-               from_bsdf_without_pmf(scene, vertex, samples, record);
+    const auto one_side = [](const Scene& scene, const PathVertex& vertex, const Draws& draws, PathRecord& record) {
+        return light_from_emitters(scene, vertex, 1, LightTechniques::both, default_next_event(), draws, record) +
+               from_bsdf_without_pmf(scene, vertex, draws, record);
     };
     catalogue.add(
         {.id = "direct/environment/mis",

@@ -226,7 +226,7 @@ Verdict is_half(double (*mean)(const Run&), const Run& run) {
 }  // namespace
 
 void add_film_pictures(Catalogue& catalogue) {
-    for (const std::string& sampler : sampler_names()) {
+    for (const std::string sampler : {"independent", "stratified", "sobol"}) {
         add_variance<PathTracer>(catalogue, "path", sampler);
         add_variance<LightTracer>(catalogue, "light", sampler);
     }

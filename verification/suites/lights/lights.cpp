@@ -129,7 +129,7 @@ void add_one(Catalogue& catalogue, const Light& light) {
                              {{"without-pi", "π is missing.", light.power(light.enclosing)[1] / pi}}}});
     catalogue.add({.id = id + "/flux",
                    .statement = "The flux of " + light.title + " through a sphere, by emitter samples, is its power.",
-                   .source = "ours, verification/suites/lights.cpp",
+                   .source = "ours, verification/suites/lights/lights.cpp",
                    .kind = Kind::mean,
                    .trial = {flux_is_power, light, {{"another-sample", light.pdf_defect, light.with_wrong_pdf()}}}});
 }

@@ -33,7 +33,7 @@ Point<2> plane(Vec3 p) {
 std::vector<WarpCase> warp_cases() {
     constexpr double cone = 0.4;
     return {
-        {"polar-disk", "the polar map to the disk", "Shirley & Chiu 1997",
+        {"polar-disk", "the polar map to the disk", "[Shirley & Chiu 1997]",
          [](const Point<2>& u) { return flat(sample_polar_disk(u)); }, [](Vec3 p) { return polar_disk_pdf(plane(p)); },
          [](Vec3 p) { return invert_polar_disk(plane(p)); }, [](Vec3 p) { return 1 / (2 * pi * std::hypot(p.x, p.y)); },
          "The density is that of r = u.",
@@ -41,7 +41,7 @@ std::vector<WarpCase> warp_cases() {
              return Vec3{u[0] * std::cos(2 * pi * u[1]), u[0] * std::sin(2 * pi * u[1]), 0};
          },
          "r = u instead of √u."},
-        {"concentric-disk", "the concentric map to the disk", "Shirley & Chiu 1997",
+        {"concentric-disk", "the concentric map to the disk", "[Shirley & Chiu 1997]",
          [](const Point<2>& u) { return flat(sample_concentric_disk(u)); },
          [](Vec3 p) { return concentric_disk_pdf(plane(p)); }, [](Vec3 p) { return invert_concentric_disk(plane(p)); },
          [](Vec3) { return 4 / pi / 4 * 1.1; }, "The density is a tenth too large.",
@@ -69,7 +69,7 @@ std::vector<WarpCase> warp_cases() {
              return sample_uniform_cone({u[0] * u[0], u[1]}, cone);
          },
          "The angle is uniform, to first order."},
-        {"uniform-triangle", "the uniform triangle", "Turk 1990",
+        {"uniform-triangle", "the uniform triangle", "[Turk 1990]",
          [](const Point<2>& u) { return flat(sample_uniform_triangle(u)); },
          [](Vec3 b) { return uniform_triangle_pdf(plane(b)); },
          [](Vec3 b) { return invert_uniform_triangle(plane(b)); }, [](Vec3) { return 1.0; },

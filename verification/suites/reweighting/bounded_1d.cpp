@@ -189,7 +189,7 @@ void add_cells(Catalogue& catalogue) {
         {.id = "reweighting/voronoi-1d/sum",
          .statement =
              "Clipped cells of any samples sum to 1 within 1e-12: coincident, clustered, on the boundary, many.",
-         .source = "thesis, eq. 4.4",
+         .source = "[thesis, eq. 4.4]",
          .kind = Kind::bounded,
          .trial = {sum_to_one,
                    voronoi_weights_1d,
@@ -206,7 +206,7 @@ void add_cells(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/voronoi-1d/cells",
          .statement = "Clipped cells are those of a sort-free construction from half-lines.",
-         .source = "thesis, section 4.4.1",
+         .source = "[thesis, section 4.4.1]",
          .kind = Kind::bounded,
          .trial = {[](const Weigh& weigh, const Run& run) { return agrees_with_half_lines(weigh, false, run); },
                    voronoi_weights_1d,
@@ -224,7 +224,7 @@ void add_cells(Catalogue& catalogue) {
 void add_formulas(Catalogue& catalogue) {
     catalogue.add({.id = "reweighting/g-1d/stable",
                    .statement = "g in double is within 8 ulp for N up to 10^9 and x from 2^-1074 to 1 − 2^-53.",
-                   .source = "thesis, eq. 4.6; truth by MPFR",
+                   .source = "[thesis, eq. 4.6]; truth by MPFR",
                    .kind = Kind::bounded,
                    .trial = {within_8_ulp,
                              cell_weight,
@@ -254,7 +254,7 @@ void add_formulas(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/yakowitz-trapezoid/lines",
          .statement = "The trapezoidal rule on samples and ends integrates a line within 1e-12, whatever the samples.",
-         .source = "Yakowitz et al. 1978",
+         .source = "[Yakowitz et al. 1978]",
          .kind = Kind::bounded,
          .trial = {
              integrates_lines,

@@ -189,7 +189,7 @@ void add_strata_and_batches(Catalogue& catalogue) {
         {.id = "reweighting/piecewise-strata/unbiased",
          .statement = "Pieces of a piecewise-constant density, each reweighted by itself with a fixed count ≥ 1, are "
                       "unbiased: 10 pieces, N = 16.",
-         .source = "thesis, section 4.4.4",
+         .source = "[thesis, section 4.4.4]",
          .kind = Kind::mean,
          .trial = {check,
                    ten_strata(exponential),
@@ -201,7 +201,7 @@ void add_strata_and_batches(Catalogue& catalogue) {
     };
     catalogue.add({.id = "reweighting/batches/unbiased",
                    .statement = "The mean of four reweighted batches of four samples is unbiased.",
-                   .source = "thesis, section 4.5.1",
+                   .source = "[thesis, section 4.5.1]",
                    .kind = Kind::mean,
                    .trial = {batch_check,
                              [](std::uint64_t n, RandomStream& random) { return four_batches(n, random).value; },

@@ -93,7 +93,7 @@ void add_independent(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/voronoi/known-bias",
          .statement = "Clipped cells estimate ∫ g_N f, not ∫ f: for e^x 0.8, 0.7 and 0.35 % too little at N = 2, 4, 8.",
-         .source = "thesis, eq. 4.6",
+         .source = "[thesis, eq. 4.6]",
          .kind = Kind::mean,
          .trial = {
              [=](const Biased& claimed, const Run& run) {
@@ -108,7 +108,7 @@ void add_independent(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/reweighted/unbiased",
          .statement = "Clipped cells over g_N are unbiased for i.i.d. uniform samples, at N = 2, 4, 8.",
-         .source = "thesis, eq. 4.8",
+         .source = "[thesis, eq. 4.8]",
          .kind = Kind::mean,
          .trial = {
              check,
@@ -122,7 +122,7 @@ void add_torus(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/torus/unbiased",
          .statement = "Cells on the circle are unbiased for i.i.d. uniform samples, at N = 2, 4, 8, without any g.",
-         .source = "ours, analytic/ordered_samples.h; against thesis, appendix A.2",
+         .source = "ours, analytic/ordered_samples.h; against [thesis, appendix A.2]",
          .kind = Kind::mean,
          .trial = {weights_are_unbiased, torus, {{"clipped-called-periodic", "cells clipped to [0,1]", voronoi}}}});
     const auto shift_check = [=](const Weigh& weigh, const Run& run) {
@@ -130,7 +130,7 @@ void add_torus(Catalogue& catalogue) {
     };
     catalogue.add({.id = "reweighting/torus/unbiased-for-a-shifted-set",
                    .statement = "Cells on the circle are unbiased for a fixed set under one uniform shift.",
-                   .source = "ours, methods of cells_1d.h",
+                   .source = "ours, estimators/reweighting/cells_1d.h",
                    .kind = Kind::mean,
                    .trial = {shift_check,
                              torus_weights_1d,

@@ -1,0 +1,56 @@
+#include "integrators/drivers/job.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "integrators/drivers/pixels.h"
+
+namespace plumb {
+
+RenderJob job_of(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings) {
+    static const auto pixels = std::make_shared<const IndependentPixels>();
+    return {scene, estimator, settings, pixels};
+}
+
+RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_pixel) {
+    if (samples_per_pixel < 1) throw Error("0 samples a pixel; accepted are 1 and more");
+    // Of two divisors as near to 16 as each other by ratio, the one with more samples a pass.
+    const auto distance = [](std::uint32_t passes) { return std::abs(std::log2(passes / 16.0)); };
+    settings.passes = 1;
+    for (std::uint32_t passes = 2; passes <= std::min(samples_per_pixel, 256u); ++passes)
+        if (samples_per_pixel % passes == 0 && distance(passes) < distance(settings.passes)) settings.passes = passes;
+    settings.samples_per_pass = samples_per_pixel / settings.passes;
+    return settings;
+}
+
+RenderSettings part_of(RenderSettings settings, std::uint32_t i, std::uint32_t n) {
+    if (n > settings.passes)
+        throw Error(
+            fmt::format("{} parts of {} passes; accepted are 1 to {} parts", n, settings.passes, settings.passes));
+    if (i < 1 || i > n) throw Error(fmt::format("part {} of {}; accepted are 1 to {}", i, n, n));
+    settings.first_pass = i - 1;
+    settings.pass_step = n;
+    return settings;
+}
+
+PathKey path_key(const Scene& scene, const RenderSettings& settings, int x, int y, std::uint32_t sample) {
+    return {settings.seed, static_cast<std::uint32_t>(y * scene.sensor().film().width + x), sample};
+}
+
+void check_crop(const FilmRegion& crop, FilmSize film) {
+    if (crop.width < 1 || crop.height < 1 || crop.x < 0 || crop.y < 0 || crop.width > film.width - crop.x ||
+        crop.height > film.height - crop.y)
+        throw Error(fmt::format("crop {},{},{},{} of a film of {} x {} pixels: accepted are x,y,width,height within it",
+                                crop.x, crop.y, crop.width, crop.height, film.width, film.height));
+}
+
+std::vector<FilmLayer> render_layers() {
+    return {{"radiance", {"R", "G", "B"}, true},
+            {"albedo", {"R", "G", "B"}, true},
+            {"normal", {"X", "Y", "Z"}, false},
+            {"depth", {"Z"}, true}};
+}
+
+}  // namespace plumb

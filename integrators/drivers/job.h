@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "integrators/paths/path_estimator.h"
+#include "scenes/film/film.h"
+
+namespace plumb {
+
+struct Driver;
+
+/// Which paths, in which passes. A pass is a replicate of the whole image: passes give the variance.
+struct RenderSettings {
+    std::string sampler = "independent";  ///< see sampler.h
+    std::uint32_t samples_per_pass = 4;   ///< of each pixel
+    std::uint32_t passes = 16;
+    std::uint64_t seed = 1;
+    FilmRegion crop = {};  ///< which pixels of the film
+    /// A part of the render is the passes first, first + step, …: films of all parts merge into the whole's.
+    std::uint32_t first_pass = 0, pass_step = 1;
+};
+
+/// A render before it begins: a pass is a function of the job and of its number. How many passes there are is no
+/// concern of the driver, which is the same for all of them.
+struct RenderJob {
+    const Scene& scene;
+    const PathEstimator& estimator;
+    RenderSettings settings = {};
+    std::shared_ptr<const Driver> driver = nullptr;
+};
+
+/// The job by the driver that every render has unless another is asked for (pixels.h).
+RenderJob job_of(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings);
+
+/// Samples a pixel cut into passes: as near to 16 passes as divides them.
+RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_pixel);
+
+/// Part i of n, counted from 1: every n-th pass. Throws Error where some part had none.
+RenderSettings part_of(RenderSettings settings, std::uint32_t i, std::uint32_t n);
+
+/// The numbers of one sample of a pixel: those of pass p are samples_per_pass from p · samples_per_pass on.
+PathKey path_key(const Scene& scene, const RenderSettings& settings, int x, int y, std::uint32_t sample);
+
+/// Throws Error for a crop that is not within the film.
+void check_crop(const FilmRegion& crop, FilmSize film);
+
+/// Layers of a render: radiance, then what the camera sees first (albedo, normal, depth), by the same samples.
+std::vector<FilmLayer> render_layers();
+
+}  // namespace plumb
