@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <memory>
 
 #include "verification/claim.h"
@@ -9,12 +10,16 @@
 namespace plumb {
 namespace {
 
-using testing::ElementsAre;
-
 // A check that says what it was given.
 Verdict names(const std::string& subject, const Run& run) {
     Verdict verdict;
     verdict.reason = subject + (run.size() == Size::quick ? ", quick" : ", full");
+    return verdict;
+}
+
+Verdict of_samples(std::uint64_t samples) {
+    Verdict verdict;
+    verdict.samples = samples;
     return verdict;
 }
 
@@ -32,25 +37,24 @@ TEST(Trial, JudgesRightAndWrongSubjectsByTheSameCheck) {
 
 TEST(Trial, TakesAnyCallableAndBindsWhatIsShared) {
     const int shared = 3;
-    const auto check = [shared](const std::function<int(int)>& f, const plumb::Run&) {
-        Verdict verdict;
-        verdict.samples = static_cast<std::uint64_t>(f(shared));
-        return verdict;
+    const auto check = [shared](const std::function<std::uint64_t(int)>& f, const plumb::Run&) {
+        return of_samples(f(shared));
     };
-    const Trial trial{check, [](int x) { return x; }, {{"twice", "Doubled.", [](int x) { return 2 * x; }}}};
+    const Trial trial{check,
+                      [](int x) { return static_cast<std::uint64_t>(x); },
+                      {{"twice", "Doubled.", [](int x) { return 2 * static_cast<std::uint64_t>(x); }}}};
     EXPECT_EQ(trial.judge(quick).samples, 3u);
     EXPECT_EQ(trial.mutants()[0].judge(quick).samples, 6u);
 }
 
 TEST(Trial, OfACheckThatDrawsNothing) {
-    const auto check = [](std::uint64_t n) { return Verdict{.samples = n}; };
-    const Trial trial{check, 1, {{"two", "Two for one.", 2}}};
+    const Trial trial{of_samples, 1, {{"two", "Two for one.", 2}}};
     EXPECT_EQ(trial.judge(quick).samples, 1u);
     EXPECT_EQ(trial.mutants()[0].judge(quick).samples, 2u);
 }
 
 TEST(Trial, OfACheckWithoutSubjectHasNoMutants) {
-    const Trial trial{[](const plumb::Run&) { return Verdict{.samples = 7}; }};
+    const Trial trial{[](const plumb::Run&) { return of_samples(7); }};
     EXPECT_EQ(trial.judge(quick).samples, 7u);
     EXPECT_TRUE(trial.mutants().empty());
 }

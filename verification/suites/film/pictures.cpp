@@ -182,14 +182,13 @@ Verdict same_bits(const Numbers& numbers, const Run& run) {
 
 template <class E>
 void add_threads(Catalogue& catalogue, const std::string& integrator) {
-    const auto check = [](const Numbers& numbers, const Run& run) { return same_bits(numbers, run); };
     catalogue.add(
         {.id = "film/threads/" + integrator,
          .statement =
              "1 and 2 threads give the same bits of a picture onto which `" + integrator + "` splats from everywhere.",
          .source = "ours, integrators/drivers/render.cpp",
          .kind = Kind::exact,
-         .trial = {check, rendered_by<E>, {{"double", "Splats are added up in double.", sums_of_doubles<E>}}}});
+         .trial = {same_bits, rendered_by<E>, {{"double", "Splats are added up in double.", sums_of_doubles<E>}}}});
 }
 
 // ---- 10^9 samples

@@ -50,9 +50,9 @@ struct Shifted {
 };
 
 Verdict unbiased_after_shift(const Shifted& subject, const Run& run) {
-    const auto draw = [&, shift = subject.shift, weigh = subject.weigh](RandomStream& random) {
-        const Samples x = shift({{0.1, 0.1}, {0.15, 0.1}, {0.1, 0.3}, {0.6, 0.65}}, random);
-        return weighted_sum(exp_sum, x, weigh(x)).value;
+    const auto draw = [&](RandomStream& random) {
+        const Samples x = subject.shift({{0.1, 0.1}, {0.15, 0.1}, {0.1, 0.3}, {0.6, 0.65}}, random);
+        return weighted_sum(exp_sum, x, subject.weigh(x)).value;
     };
     return mean_is(draw, {.reference = exp_sum_integral, .delta = 0.02, .bounds = exp_sum_bounds}, run);
 }

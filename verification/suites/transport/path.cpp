@@ -297,13 +297,12 @@ Verdict replays(const Replay& replay, const Run& run) {
 }
 
 void add_replay(Catalogue& catalogue) {
-    const auto check = [](const Replay& replay, const Run& run) { return replays(replay, run); };
     catalogue.add({.id = "render/path/replay",
                    .statement = "A path's key gives the path again, bit by bit, with any sampler, whatever was asked "
                                 "for before.",
                    .source = "ours, core/primary_samples.h",
                    .kind = Kind::exact,
-                   .trial = {check,
+                   .trial = {replays,
                              [](Sampler& sampler, const PathKey& key) -> PrimarySamples& { return sampler.start(key); },
                              {{"next-sample", "The key of the next sample is taken.",
                                [](Sampler& sampler, const PathKey& key) -> PrimarySamples& {

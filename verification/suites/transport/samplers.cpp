@@ -60,7 +60,6 @@ Verdict gain(const std::vector<Numbers>& samplers, const Run& run) {
 }  // namespace
 
 void add_transport_samplers(Catalogue& catalogue) {
-    const auto with = [](const std::vector<Numbers>& samplers, const Run& run) { return gain(samplers, run); };
     catalogue.add(
         {.id = "render/path/samplers",
          .statement =
@@ -68,7 +67,7 @@ void add_transport_samplers(Catalogue& catalogue) {
              "MSE of independent ones.",
          .source = "[Mitchell 1996; Owen 1997]; the factor is measured",
          .kind = Kind::ratio,
-         .trial = {with,
+         .trial = {gain,
                    {{"stratified", "stratified"}, {"sobol", "sobol"}},
                    {{"stratified-independent",
                      "Independent numbers by the name of stratified ones.",
