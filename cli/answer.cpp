@@ -86,7 +86,8 @@ Series series_of(const std::vector<Runs>& sets, const Answer& answer) {
     return series;
 }
 
-int tell(const std::vector<Answer>& answers, const reports::RunInfo& run, const IntegrateOptions& options) {
+int tell(const std::vector<Answer>& answers, const reports::RunInfo& run, const std::string& json,
+         const std::string& report) {
     std::vector<Series> series;
     std::vector<reports::ListRow> rows;
     bool met = true;
@@ -95,10 +96,10 @@ int tell(const std::vector<Answer>& answers, const reports::RunInfo& run, const 
         rows.push_back(row_of(answer));
         met = met && answer.target_met;
     }
-    if (!options.json.empty()) write_file(options.json, reports::integration_json(run, rows, series));
-    if (!series.empty()) reports::write_converge_report(run, series, options.report);
+    if (!json.empty()) write_file(json, reports::integration_json(run, rows, series));
+    if (!series.empty()) reports::write_converge_report(run, series, report);
     for (const Answer& answer : answers) fmt::print("{}", text_of(answer));
-    if (!series.empty()) fmt::print("report: {}\n", options.report);
+    if (!series.empty()) fmt::print("report: {}\n", report);
     return met ? 0 : 3;
 }
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/options.h"
 #include "estimators/replicates/integration.h"
 #include "reports/run/results.h"
 
@@ -26,7 +25,9 @@ struct Answer {
 /// runs' own mean (a variance, which sees no bias), and the name says so.
 Series series_of(const std::vector<Runs>& sets, const Answer& answer);
 
-/// Prints the answers, writes the page and the JSON; the program's exit code: 3 when a target was missed.
-int tell(const std::vector<Answer>& answers, const reports::RunInfo& run, const IntegrateOptions& options);
+/// Prints the answers, writes the page and the JSON (an empty name: none); the program's exit code: 3 when a target was
+/// missed.
+int tell(const std::vector<Answer>& answers, const reports::RunInfo& run, const std::string& json,
+         const std::string& report);
 
 }  // namespace plumb::cli

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "cli/image_pattern.h"
-#include "cli/run_info.h"
+#include "cli/session.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/image.h"
@@ -105,15 +105,14 @@ void print(const std::vector<RendersAt>& groups, const Series& series, double po
 
 }  // namespace
 
-int converge_images(const ConvergeOptions& options) {
-    for (const std::string& file : {options.json, options.report})
-        if (!file.empty()) check_writable(file);
+int converge_images(const ImageSeriesTask& options) {
+    require_writable({options.json, options.report});
     const std::vector<NamedImage> files = images_matching(options.images);
     const ReferencePicture reference = read_reference(options.reference);
     const std::vector<RendersAt> groups = read_renders(files, reference);
     const Series series = series_of(groups, reference, options.images);
 
-    const reports::RunInfo info = start_run(0, options.threads);
+    const reports::RunInfo info = Session(0, options.threads).run;
     const std::string truth = fmt::format("{}: {}, whose own variance is {}", options.images, reference.file,
                                           reference.variance_known ? "subtracted" : "not known and not subtracted");
     const std::vector<Series> all{series};

@@ -1,10 +1,18 @@
 #pragma once
 
-#include "cli/options.h"
+#include <string>
 
 namespace plumb::cli {
 
-/// The error of images that somebody has, against samples a pixel; the program's exit code. Throws Error.
-int converge_images(const ConvergeOptions& options);
+/// Images that somebody has, and where what is found about them goes.
+struct ImageSeriesTask {
+    std::string images;     ///< a pattern, see image_pattern.h
+    std::string reference;  ///< an image
+    int threads = 0;
+    std::string json, report;  ///< empty: none
+};
+
+/// The error of the images against samples a pixel; the program's exit code. Throws Error.
+int converge_images(const ImageSeriesTask& options);
 
 }  // namespace plumb::cli

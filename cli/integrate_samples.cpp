@@ -10,13 +10,13 @@
 namespace plumb::cli {
 namespace {
 
-void check_options(const IntegrateOptions& options) {
-    for (const auto& [given, option] : {std::pair{options.n.has_value(), "--n"},
-                                        {options.error.has_value(), "--error"},
-                                        {options.channel.has_value(), "--channel"},
-                                        {options.lookup.has_value(), "--lookup"}})
+void check_task(const IntegralTask& task) {
+    for (const auto& [given, option] : {std::pair{task.n.has_value(), "--n"},
+                                        {task.error.has_value(), "--error"},
+                                        {task.channel.has_value(), "--channel"},
+                                        {task.lookup.has_value(), "--lookup"}})
         if (given) throw Error(fmt::format("{} does not go with a file of samples", option));
-    if (options.batches && options.what.size() > 1)
+    if (task.batches && task.what.size() > 1)
         throw Error("--batches goes with one file of samples: several files are independent sets already");
 }
 
@@ -69,12 +69,12 @@ std::vector<Runs> sets_of_files(const SampleWeighting<D>& method, const std::vec
     return {runs};
 }
 
-std::string about_error(const IntegrateOptions& options, const Answer& answer) {
-    if (options.batches)
+std::string about_error(const IntegralTask& task, const Answer& answer) {
+    if (task.batches)
         return "the error is from batches in the order of the file: right only where the samples are independent of "
                "each "
                "other, not stratified, quasi-random or sorted";
-    if (options.what.size() > 1) return "the error is from the files: right where they are independent sets";
+    if (task.what.size() > 1) return "the error is from the files: right where they are independent sets";
     if (std::isinf(answer.estimate.standard_error))
         return "one set tells nothing about its own error: give several files, or --batches 16 where the samples are "
                "independent of each other";
@@ -82,34 +82,34 @@ std::string about_error(const IntegrateOptions& options, const Answer& answer) {
 }
 
 template <int D>
-Answer integrate(const std::vector<NumberTable>& tables, const IntegrateOptions& options) {
-    const SampleWeighting<D>& method = find_sample_weighting<D>(options.method.value_or("voronoi"));
+Answer integrate(const std::vector<NumberTable>& tables, const IntegralTask& task) {
+    const SampleWeighting<D>& method = find_sample_weighting<D>(task.method.value_or("voronoi"));
     std::vector<SampleSet<D>> files;
     std::size_t repeated = 0;
     for (const NumberTable& table : tables) {
-        files.push_back(samples_of<D>(table, options.domain));
+        files.push_back(samples_of<D>(table, task.domain));
         repeated += repeated_places<D>(files.back().places, method.id == "torus");
     }
     const std::vector<Runs> sets =
-        options.batches ? sets_of_batches(method, files.front(), *options.batches) : sets_of_files(method, files);
-    Answer answer{.integrand = fmt::format("{}", fmt::join(options.what, " ")), .method = method.id};
+        task.batches ? sets_of_batches(method, files.front(), *task.batches) : sets_of_files(method, files);
+    Answer answer{.integrand = fmt::format("{}", fmt::join(task.what, " ")), .method = method.id};
     answer.n = sets.back().n;
     answer.runs = sets.back().estimates.size();
     answer.estimate = answer.runs == 1 ? sets.back().estimates.front() : mean_of(sets.back());
     answer.all_evaluations = answer.estimate.evaluations;
-    answer.known = {method.known, about_error(options, answer)};
+    answer.known = {method.known, about_error(task, answer)};
     if (repeated > 0)
         answer.known.push_back(fmt::format("{} samples repeat an earlier place and share its cell", repeated));
-    if (options.batches) answer.series = series_of(sets, answer);
+    if (task.batches) answer.series = series_of(sets, answer);
     return answer;
 }
 
 }  // namespace
 
-Answer integrate_samples(const IntegrateOptions& options) {
-    check_options(options);
+Answer integrate_samples(const IntegralTask& task) {
+    check_task(task);
     std::vector<NumberTable> tables;
-    for (const std::string& file : options.what) tables.push_back(parse_csv(read_file(file), file));
+    for (const std::string& file : task.what) tables.push_back(parse_csv(read_file(file), file));
     for (const NumberTable& table : tables) {
         if (table.columns != 2 && table.columns != 3)
             throw Error(
@@ -118,7 +118,7 @@ Answer integrate_samples(const IntegrateOptions& options) {
             throw Error(fmt::format("{}: {} columns found; {} has {}", table.name, table.columns, tables.front().name,
                                     tables.front().columns));
     }
-    return tables.front().columns == 2 ? integrate<1>(tables, options) : integrate<2>(tables, options);
+    return tables.front().columns == 2 ? integrate<1>(tables, task) : integrate<2>(tables, task);
 }
 
 }  // namespace plumb::cli

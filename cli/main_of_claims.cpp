@@ -1,7 +1,7 @@
 // plumb::main: a program for whoever registers claims, as benchmark_main is for benchmarks.
 
+#include "cli/command_line.h"
 #include "cli/program.h"
-#include "cli/verbs.h"
 
 int main(int argc, char** argv) {
     plumb::Catalogue catalogue;

@@ -8,7 +8,6 @@
 #include "reports/run/json.h"
 
 namespace plumb::cli {
-
 namespace {
 
 // Formats that hold floats and names get every layer, the others what a person looks at.

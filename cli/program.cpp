@@ -1,14 +1,11 @@
 #include "cli/program.h"
 
-#include "cli/verbs.h"
+#include "cli/command_line.h"
 
 namespace plumb {
 
 int run_program(int argc, char** argv, const Catalogue& catalogue) {
-    return cli::reporting_errors(argv, [&] {
-        return std::visit(cli::CatalogueVerbs{catalogue, cli::catalogue_lists(catalogue)},
-                          cli::parse_options(argc, argv, cli::VerbSet::of_a_catalogue));
-    });
+    return cli::reporting_errors(argv, [&] { return cli::run_verb(argc, argv, cli::catalogue_verbs(), catalogue); });
 }
 
 }  // namespace plumb

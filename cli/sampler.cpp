@@ -94,29 +94,29 @@ void explain(Verdict& verdict, const CellDensity& density, const Answer& answer)
 
 }  // namespace
 
-Catalogue sampler_catalogue(const SamplerOptions& options, std::uint64_t seed, double alpha) {
-    const CellDensity density = read_density(options.density);
-    DistributionClaim claim{.probabilities = {}, .delta = options.delta};
+Catalogue sampler_catalogue(const SamplerTrial& trial, std::uint64_t seed, double alpha) {
+    const CellDensity density = read_density(trial.density);
+    DistributionClaim claim{.probabilities = {}, .delta = trial.delta};
     for (const CellDensity::Cell& cell : density.cells) claim.probabilities.push_back(cell.probability);
 
     const Run run(seed, claim_id, alpha);
     const std::uint64_t n = distribution_samples(claim, run.alpha(), run.beta());
-    if (n > options.most_samples)
+    if (n > trial.most_samples)
         throw Error(
             fmt::format("delta {:g} and the rarest cell of '{}' ask for {} samples; accepted: at most {}; a larger "
                         "delta or likelier cells need fewer",
-                        options.delta, density.name, n, options.most_samples));
+                        trial.delta, density.name, n, trial.most_samples));
     // Below 2^31: a positive int of every language.
     const std::uint64_t sampler_seed = run.random(0).bits() >> 33;
-    const std::string command = filled_in(filled_in(options.command, "{seed}", sampler_seed), "{n}", n);
-    const Answer answer = ask(command, density, n, options.timeout);
+    const std::string command = filled_in(filled_in(trial.command, "{seed}", sampler_seed), "{n}", n);
+    const Answer answer = ask(command, density, n, trial.timeout);
 
     Catalogue catalogue;
     catalogue.add({.id = std::string(claim_id),
-                   .statement = fmt::format("`{}` draws from the density {}.", options.command, density.name),
+                   .statement = fmt::format("`{}` draws from the density {}.", trial.command, density.name),
                    .source = fmt::format("the command line: --sampler, --density {}", density.name),
                    .kind = Kind::distribution,
-                   .check =
+                   .trial =
                        [=](const Run& judging) {
                            Verdict verdict = chi_square_verdict(answer.counts, claim, judging.alpha(), judging.beta());
                            explain(verdict, density, answer);

@@ -20,9 +20,9 @@ Verdict judged(const std::string& command, const std::string& density) {
     return catalogue.claims().at(0).trial.judge(Run(7, catalogue.claims().at(0).id, 1e-6));
 }
 
-std::string complaint(const SamplerOptions& options) {
+std::string complaint(const SamplerTrial& trial) {
     try {
-        (void)sampler_catalogue(options, 7);
+        (void)sampler_catalogue(trial, 7);
     } catch (const Error& error) {
         return error.what();
     }

@@ -61,10 +61,10 @@ UserIntegrands formula(const Expression& expression, const std::vector<double>& 
         {expression.text(), finite_on<D>(box_of<D>(domain), expression, expression.text()), {}}};
 }
 
-UserIntegrands read_formula(const IntegrateOptions& options) {
-    const Expression expression(options.what.front());
-    const bool two = expression.uses_y() || options.domain.size() == 4;
-    return two ? formula<2>(expression, options.domain) : formula<1>(expression, options.domain);
+UserIntegrands read_formula(const IntegralTask& task) {
+    const Expression expression(task.what.front());
+    const bool two = expression.uses_y() || task.domain.size() == 4;
+    return two ? formula<2>(expression, task.domain) : formula<1>(expression, task.domain);
 }
 
 template <int D>
@@ -77,24 +77,23 @@ std::optional<UserIntegrands> shipped(std::string_view id, std::vector<std::stri
     return {};
 }
 
-UserIntegrands read_shipped(const IntegrateOptions& options) {
-    refuse(!options.domain.empty(), "--domain", "does not go with a shipped integrand: its domain is [0,1]");
+UserIntegrands read_shipped(const IntegralTask& task) {
+    refuse(!task.domain.empty(), "--domain", "does not go with a shipped integrand: its domain is [0,1]");
     std::vector<std::string> known;
-    const std::string_view id = std::string_view(options.what.front()).substr(1);
+    const std::string_view id = std::string_view(task.what.front()).substr(1);
     if (const auto one = shipped<1>(id, known)) return *one;
     if (const auto two = shipped<2>(id, known)) return *two;
     throw unknown_name("integrand", id, known);
 }
 
-UserIntegrands read_image_channels(const IntegrateOptions& options) {
-    refuse(!options.domain.empty(), "--domain", "does not go with an image: it is a function on [0,1]²");
-    const std::string& file = options.what.front();
+UserIntegrands read_image_channels(const IntegralTask& task) {
+    refuse(!task.domain.empty(), "--domain", "does not go with an image: it is a function on [0,1]²");
+    const std::string& file = task.what.front();
     const auto image = std::make_shared<const Image>(read_image(file));
     require_finite(*image, file);
-    const Lookup lookup = options.lookup == "bilinear" ? Lookup::bilinear : Lookup::nearest;
+    const Lookup lookup = task.lookup == "bilinear" ? Lookup::bilinear : Lookup::nearest;
     std::vector<UserIntegrand<2>> channels;
-    for (const std::string& channel :
-         options.channel ? std::vector<std::string>{*options.channel} : channel_names(*image)) {
+    for (const std::string& channel : task.channel ? std::vector<std::string>{*task.channel} : channel_names(*image)) {
         const ImageFunction f(image, channel_weights(*image, channel), lookup);
         channels.push_back({fmt::format("{} {}", file, channel), f, f.integral()});
     }
@@ -110,14 +109,14 @@ InputKind kind_of(const std::string& what) {
     return ends_like_a_file(what) || std::filesystem::exists(what, ignored) ? InputKind::image : InputKind::formula;
 }
 
-UserIntegrands read_integrands(const IntegrateOptions& options) {
-    refuse(options.what.size() > 1, "more than one integrand found:", "only files of samples come in several");
-    refuse(options.batches.has_value(), "--batches", "goes with a file of samples only");
-    const InputKind kind = kind_of(options.what.front());
-    if (kind == InputKind::image) return read_image_channels(options);
-    refuse(options.channel.has_value(), "--channel", "goes with an image only");
-    refuse(options.lookup.has_value(), "--lookup", "goes with an image only");
-    return kind == InputKind::shipped ? read_shipped(options) : read_formula(options);
+UserIntegrands read_integrands(const IntegralTask& task) {
+    refuse(task.what.size() > 1, "more than one integrand found:", "only files of samples come in several");
+    refuse(task.batches.has_value(), "--batches", "goes with a file of samples only");
+    const InputKind kind = kind_of(task.what.front());
+    if (kind == InputKind::image) return read_image_channels(task);
+    refuse(task.channel.has_value(), "--channel", "goes with an image only");
+    refuse(task.lookup.has_value(), "--lookup", "goes with an image only");
+    return kind == InputKind::shipped ? read_shipped(task) : read_formula(task);
 }
 
 template <int D>

@@ -5,11 +5,23 @@
 #include <variant>
 #include <vector>
 
-#include "cli/options.h"
 #include "core/csv.h"
 #include "estimators/estimator.h"
+#include "estimators/replicates/integration.h"
 
 namespace plumb::cli {
+
+/// An integral that a person asks for.
+struct IntegralTask {
+    std::vector<std::string> what;  ///< a formula, @id, an image, or files of samples
+    std::optional<std::string> method;
+    std::optional<std::uint64_t> n;    ///< samples a run
+    std::optional<ErrorTarget> error;  ///< instead of n
+    std::uint64_t replicates = 32, max_evaluations = 100'000'000;
+    std::optional<std::uint64_t> batches;  ///< how many sets a file of samples is cut into
+    std::vector<double> domain;            ///< x0, x1[, y0, y1]; empty: the unit cube
+    std::optional<std::string> channel, lookup;
+};
 
 /// What a person may ask to integrate.
 enum class InputKind { formula, shipped, image, samples };
@@ -25,8 +37,8 @@ struct UserIntegrand {
 };
 using UserIntegrands = std::variant<std::vector<UserIntegrand<1>>, std::vector<UserIntegrand<2>>>;
 
-/// The formula, the shipped integrand or the channels of the image that options.what names. Throws Error.
-UserIntegrands read_integrands(const IntegrateOptions& options);
+/// The formula, the shipped integrand or the channels of the image that the task names. Throws Error.
+UserIntegrands read_integrands(const IntegralTask& task);
 
 /// Samples that a person drew, in the unit cube, with the integrand's values there (times the domain's volume).
 template <int D>

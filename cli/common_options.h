@@ -1,0 +1,50 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/error.h"
+
+// Options that several verbs have.
+namespace plumb::cli {
+
+/// Turns the Error of a parser (values.h) into CLI11's, which names the option.
+template <class Parse>
+auto checked(Parse parse) {
+    return [parse](const std::string& text) -> std::string {
+        try {
+            parse(text);
+            return {};
+        } catch (const Error& error) {
+            return error.what();
+        }
+    };
+}
+
+/// An option whose text `parse` reads into `value`, which outlives the parsing.
+template <class Value, class Parse>
+CLI::Option* add_parsed(CLI::App& verb, const std::string& name, Value& value, Parse parse, const std::string& about) {
+    return verb
+        .add_option_function<std::string>(
+            name, [&value, parse](const std::string& text) { value = parse(text); }, about)
+        ->check(checked(parse));
+}
+
+/// Accepts a number in (0, 1).
+const CLI::Validator& probability();
+
+void add_seed(CLI::App& verb, std::optional<std::uint64_t>& seed);
+void add_seed_and_threads(CLI::App& verb, std::optional<std::uint64_t>& seed, int& threads);
+
+/// --cache, the folder of references.
+void add_cache(CLI::App& verb, std::string& cache);
+
+/// --domain, both ends of each axis; none: the unit cube.
+void add_domain(CLI::App& verb, std::vector<double>& domain);
+
+/// An option that is a share of something, as "1%" or 0.01.
+void add_share(CLI::App& verb, const std::string& name, double& share, const std::string& about);
+
+}  // namespace plumb::cli

@@ -1,0 +1,142 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "cli/common_options.h"
+#include "cli/session.h"
+#include "cli/verb.h"
+#include "cli/verbs/exit_code.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "core/image.h"
+#include "integrators/references/reference_cache.h"
+#include "integrators/references/scene_identity.h"
+#include "reports/images/comparison.h"
+#include "reports/text/text.h"
+#include "scenes/shipped/shipped.h"
+
+namespace plumb::cli::verbs {
+namespace {
+
+struct Options {
+    std::vector<std::string> images;  ///< a and b; b may be a scene, for its reference
+    std::vector<std::string> a, b;    ///< more independent renders of each
+    bool exact_b = false;             ///< b is a deterministic picture
+    std::string cache = "out/references";
+    ComparisonSettings settings;
+    std::string json, report = "out/compare.html";
+};
+
+std::vector<std::string> files_of(const Options& options, std::size_t side) {
+    std::vector<std::string> files;
+    if (options.images.size() > side) files.push_back(options.images[side]);
+    const std::vector<std::string>& more = side == 0 ? options.a : options.b;
+    files.insert(files.end(), more.begin(), more.end());
+    if (files.empty())
+        throw Error(fmt::format("compare: there is no image {}; give two images, or lists of renders by --a and --b",
+                                side == 0 ? 'a' : 'b'));
+    return files;
+}
+
+// Image b may be named by its scene: its reference then, of paths as long as those of image a.
+void find_reference(std::vector<std::string>& files_b, const std::string& file_a, const Image& a,
+                    const std::string& cache) {
+    const std::string scene = files_b.front();
+    const bool xml = std::filesystem::path(scene).extension() == ".xml";
+    if (files_b.size() > 1 || std::filesystem::is_regular_file(scene) != xml) return;
+    if (!xml && std::ranges::count(shipped_scene_names(), scene) == 0) return;
+    const Provenance identity = identity_of(scene, {.lenient = true});
+    const std::optional<Provenance> said = provenance_of(a, file_a);
+    if (said) require_same_scene(*said, identity, file_a);
+    const auto longest = said ? longest_path_of(*said, file_a) : std::nullopt;
+    files_b.front() = require_reference(cache, identity, longest, scene).file.string();
+}
+
+void print_tiles(const ImageComparison& found) {
+    const auto print = [&](const char* title, const std::vector<std::size_t>& list) {
+        if (list.empty()) return;
+        fmt::print("{}:\n", title);
+        std::vector<std::vector<std::string>> rows;
+        for (std::size_t i = 0; i < std::min<std::size_t>(8, list.size()); ++i) {
+            const TileTest& t = found.tiles[list[i]];
+            rows.push_back({fmt::format("({}, {})", t.box.x, t.box.y), fmt::format("{}x{}", t.box.width, t.box.height),
+                            found.channels[t.channel].channel, reports::readable(t.found.a),
+                            reports::readable(t.found.b), reports::readable(t.found.z),
+                            reports::readable(t.found.p_value), to_string(t.state)});
+        }
+        fmt::print("{}", reports::table({{"at"},
+                                         {"pixels"},
+                                         {"channel"},
+                                         {"a", reports::Align::right},
+                                         {"b", reports::Align::right},
+                                         {"z", reports::Align::right},
+                                         {"p", reports::Align::right},
+                                         {"state"}},
+                                        rows, 100));
+        if (list.size() > rows.size()) fmt::print("… and {} more\n", list.size() - rows.size());
+    };
+    print("Tiles that differ, worst first", found.differing);
+    print("Tiles that are not decided", found.undecided);
+}
+
+int compare(const Options& options) {
+    const std::vector<std::string> files_a = files_of(options, 0);
+    std::vector<std::string> files_b = files_of(options, 1);
+    require_writable({options.json, options.report});
+    std::vector<Image> images_a, images_b;
+    for (const std::string& file : files_a) images_a.push_back(read_image(file));
+    find_reference(files_b, files_a.front(), images_a.front(), options.cache);
+    for (const std::string& file : files_b) images_b.push_back(read_image(file));
+    std::vector<Image> all = images_a;
+    std::vector<std::string> names = files_a;
+    all.insert(all.end(), images_b.begin(), images_b.end());
+    names.insert(names.end(), files_b.begin(), files_b.end());
+    require_independent(all, names);
+    const Picture a = picture_of(images_a, files_a), b = picture_of(images_b, files_b, options.exact_b);
+    const ImageComparison found = compare(a, b, options.settings);
+
+    const reports::ComparisonReport report{files_a, files_b, a, b, options.settings, found};
+    if (!options.json.empty()) write_file(options.json, reports::comparison_json(report));
+    if (!options.report.empty()) write_file(options.report, reports::comparison_html(report));
+    fmt::print("{}: {}\n", to_string(found.verdict.outcome), found.verdict.reason);
+    print_tiles(found);
+    for (const ErrorMeasure& error : found.errors)
+        fmt::print("{} {} [{}, {}]  ", error.name, reports::readable(error.value),
+                   reports::readable(error.interval.low), reports::readable(error.interval.high));
+    fmt::print("\n");
+    if (!options.report.empty()) fmt::print("report: {}\n", options.report);
+    return exit_code(found.verdict.outcome);
+}
+
+Action add(CLI::App& verb) {
+    const auto options = std::make_shared<Options>();
+    verb.add_option("images", options->images,
+                    "image a and image b, of any renderer; b may be a scene, for its reference")
+        ->expected(0, 2);
+    verb.add_option("--a", options->a, "independent renders of a: two or more unless a has layers of its variance");
+    verb.add_option("--b", options->b, "independent renders of b");
+    verb.add_flag("--exact-b", options->exact_b, "b has no error: a closed form, not a render");
+    add_cache(verb, options->cache);
+    add_share(verb, "--delta", options->settings.delta, "how far the picture's mean may be off, of b's");
+    add_share(verb, "--tile-delta", options->settings.tile_delta, "how far a tile's mean may be off, of b's");
+    verb.add_option("--tile", options->settings.tile, "edge of a tile in pixels; about 256 tiles when not given")
+        ->check(CLI::Range(2, 1 << 16));
+    verb.add_option("--alpha", options->settings.alpha, "the risk of refuting two true estimates")
+        ->check(probability())
+        ->capture_default_str();
+    verb.add_option("--json", options->json, "write everything but the pixels as JSON to this file");
+    verb.add_option("--report", options->report, "the page with both images; '' for none")->capture_default_str();
+    verb.footer(
+        "Exit code: 0 equal within delta, 1 refuted, 2 usage or input error, 3 undecided. docs/compare.md says what "
+        "is\n"
+        "tested and what it cannot see.\n\n"
+        "Example: plumb compare path.exr bdpt.exr --delta 0.5%");
+    return [options](const Catalogue&) { return compare(*options); };
+}
+
+}  // namespace
+
+Verb compare() {
+    return {"compare", "Are two images estimates of the same picture?", add};
+}
+
+}  // namespace plumb::cli::verbs

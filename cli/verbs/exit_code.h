@@ -1,0 +1,12 @@
+#pragma once
+
+#include "verification/verdict.h"
+
+namespace plumb::cli {
+
+/// Of a verb that ends in one verdict.
+constexpr int exit_code(Outcome outcome) {
+    return outcome == Outcome::holds ? 0 : outcome == Outcome::refuted ? 1 : 3;
+}
+
+}  // namespace plumb::cli
