@@ -45,7 +45,7 @@ reports::FigurePanel measure_scene_panel(const FigurePlan& plan, const std::stri
     try {
         SceneSeries measured =
             measure_scene(scene, {plan.estimators, plan.budget.counts, plan.replicates, plan.reference}, run);
-        return {.integrand = scene, .integral = measured.truth, .series = std::move(measured.series)};
+        return {.integrand = scene, .integral = measured.truth, .series = std::move(measured.series), .unit = "rays"};
     } catch (const Error& error) {
         throw Error(fmt::format("{}: {}", what, error.what()));
     }

@@ -68,6 +68,7 @@ reports::FigureResult figure_from(const FigurePlan& plan, const std::vector<Seri
     for (const std::string& id : plan.integrands) {
         reports::FigurePanel& panel = figure.panels.emplace_back(
             reports::FigurePanel{.integrand = id, .integral = integral_of(id), .series = {}});
+        if (!knows_integrand<1>(id) && !knows_integrand<2>(id)) panel.unit = "rays";  // a scene
         std::ranges::copy_if(series, std::back_inserter(panel.series),
                              [&](const Series& one) { return one.integrand == id; });
     }

@@ -2,14 +2,15 @@
 
 #include "reports/page/page_files.h"
 #include "reports/page/page_template.h"
+#include "reports/page/series_styles.h"
 #include "reports/text/xml.h"
 
 namespace plumb::reports {
 
 std::string page_html(std::string_view title, std::string_view data) {
-    const std::string heading = escaped(title);
+    const std::string heading = escaped(title), style = std::string(page::style()) + series_css();
     return filled(page::document(), {{"title", heading},
-                                     {"style", page::style()},
+                                     {"style", style},
                                      {"data", data},
                                      {"licences", page::licences()},
                                      {"d3", page::d3()},

@@ -2,6 +2,7 @@
 
 #include "reports/run/differences.h"
 #include "reports/run/json_document.h"
+#include "reports/run/page_series.h"
 
 namespace plumb::reports {
 namespace {
@@ -25,6 +26,10 @@ Json differences(const Results& before, const Results& after) {
 
 Json page_document(const Results& results) {
     Json json = json_document(results);
+    for (std::size_t i = 0; i < results.claims.size(); ++i)
+        for (std::size_t j = 0; j < results.claims[i].verdict.series.size(); ++j)
+            add_metrics(json["claims"][i]["series"][j], results.claims[i].verdict.series[j]);
+    for (std::size_t i = 0; i < results.series.size(); ++i) add_metrics(json["series"][i], results.series[i]);
     json["run"]["seed"] = std::to_string(results.run.seed);
     for (Json& mutant : json["mutants"]) {  // the page draws those of claims only
         mutant.erase("series");
@@ -34,7 +39,7 @@ Json page_document(const Results& results) {
 }
 
 std::string page_data(const Results& results, const std::optional<Results>& against) {
-    Json json = {{"results", page_document(results)}, {"against", nullptr}};
+    Json json = {{"results", page_document(results)}, {"against", nullptr}, {"axes", page_axes()}};
     if (against)
         json["against"] = {{"run", page_document(*against)["run"]}, {"differences", differences(*against, results)}};
     return for_script(json);

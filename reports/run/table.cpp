@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/run/metric.h"
 #include "reports/text/text.h"
 
 namespace plumb::reports {
@@ -47,11 +48,8 @@ std::string seconds_text(double seconds) {
 /// Whether the fitted slope's interval meets the expected one, in words.
 std::string against_expectation(const Series& series) {
     if (!series.expected_slope) return "nothing expected";
-    const Interval& expected = *series.expected_slope;
-    const std::string range = expected.low == expected.high
-                                  ? fmt::format("{:.3g}", expected.low)
-                                  : fmt::format("{:.3g} to {:.3g}", expected.low, expected.high);
-    return fmt::format("{} the expected {}", series.slope.interval.disjoint(expected) ? "outside" : "meets", range);
+    return fmt::format("{} the expected {}", meets_expectation(series).value_or(true) ? "meets" : "outside",
+                       expected_text(series));
 }
 
 std::string series_table(const Series& series, const TableStyle& style) {

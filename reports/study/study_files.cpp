@@ -13,7 +13,7 @@ SvgPlot plot_of(const FigureText& about, const FigurePanel& panel, Metric metric
                 const std::vector<EstimatorStyle>& styles) {
     SvgPlot plot{.title = about.title,
                  .subtitle = panel.integrand,
-                 .x_label = about.x_label.empty() ? label(about.x) : about.x_label,
+                 .x_label = about.x == Work::n && !about.x_label.empty() ? about.x_label : label(about.x, panel.unit),
                  .y_label = label(metric),
                  .powers_of_two = about.x == Work::n,
                  .lines = {},

@@ -2,6 +2,7 @@
 
 #include "reports/page/page_html.h"
 #include "reports/run/json_document.h"
+#include "reports/run/page_series.h"
 
 namespace plumb::reports {
 namespace {
@@ -22,7 +23,7 @@ Json figure(const FigureResult& result, std::vector<Series>& series) {
             indices.push_back(series.size());
             series.push_back(one);
         }
-        json["panels"].push_back({{"integrand", panel.integrand}, {"integral", panel.integral}, {"series", indices}});
+        json["panels"].push_back({{"integrand", panel.integrand}, {"unit", panel.unit}, {"series", indices}});
     }
     return json;
 }
@@ -59,7 +60,13 @@ std::string page_data(const StudyResult& study) {
     for (const FigureResult& result : study.figures) figures.push_back(figure(result, results.series));
     Json styles = Json::object();
     for (const EstimatorStyle& style : estimator_styles(study)) styles[style.estimator] = style.style;
-    return for_script({{"results", page_document(results)},
+    Json document = page_document(results);
+    std::size_t index = 0;
+    for (const FigureResult& result : study.figures)
+        for (const FigurePanel& panel : result.panels)
+            for (const Series& one : panel.series) add_metrics(document["series"][index++], one, panel.integral);
+    return for_script({{"results", document},
+                       {"axes", page_axes()},
                        {"against", nullptr},
                        {"study",
                         {{"name", study.about.name},

@@ -1,5 +1,7 @@
 #include "reports/study/study_result.h"
 
+#include "reports/page/series_styles.h"
+
 namespace plumb::reports {
 namespace {
 
@@ -19,20 +21,21 @@ std::vector<std::string> estimators_in(const FigureResult& figure) {
 }  // namespace
 
 std::vector<EstimatorStyle> estimator_styles(const StudyResult& study) {
+    const std::size_t colours = series_styles().light.size();
     std::vector<EstimatorStyle> styles;
     for (const FigureResult& figure : study.figures) {
         const std::vector<std::string> names = estimators_in(figure);
-        std::array<bool, series_colours> seen{};
+        std::vector<bool> seen(colours);
         for (const std::string& name : names)
-            if (const EstimatorStyle* style = style_of(styles, name)) seen[style->style % series_colours] = true;
+            if (const EstimatorStyle* style = style_of(styles, name)) seen[style->style % colours] = true;
         for (const std::string& name : names) {
             if (style_of(styles, name)) continue;
             const bool all_seen = std::ranges::all_of(seen, std::identity{});
             std::size_t style = 0;
-            while ((!all_seen && seen[style % series_colours]) ||
+            while ((!all_seen && seen[style % colours]) ||
                    std::ranges::find(styles, style, &EstimatorStyle::style) != styles.end())
                 ++style;
-            seen[style % series_colours] = true;
+            seen[style % colours] = true;
             styles.push_back({name, style});
         }
     }

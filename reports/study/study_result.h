@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "reports/run/metric.h"
 #include "reports/run/results.h"
 #include "reports/study/headline.h"
-#include "reports/study/metric.h"
 
 namespace plumb::reports {
 
@@ -24,7 +24,8 @@ struct FigureText {
 struct FigurePanel {
     std::string integrand;
     double integral = 0;
-    std::vector<Series> series;  ///< one for each estimator
+    std::vector<Series> series;                         ///< one for each estimator
+    std::string unit = "evaluations of the integrand";  ///< what Work::evaluations counts
 };
 
 struct FigureResult {
@@ -44,13 +45,12 @@ struct StudyResult {
     std::vector<Headline> headlines = {};
 };
 
-/// Which colour and symbol each estimator has in all figures of a study: a number that no other has, and, while eight
-/// colours suffice, a colour (the number modulo 8) that no other has in the same figure.
+/// Which colour and symbol each estimator has in all figures of a study: a number that no other has, and, while the
+/// colours suffice, a colour (the number modulo theirs) that no other has in the same figure.
 struct EstimatorStyle {
     std::string estimator;
     std::size_t style = 0;
 };
-constexpr std::size_t series_colours = 8;
 std::vector<EstimatorStyle> estimator_styles(const StudyResult& study);
 
 }  // namespace plumb::reports

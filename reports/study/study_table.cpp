@@ -5,12 +5,6 @@
 namespace plumb::reports {
 namespace {
 
-std::string expected(const Series& series) {
-    if (!series.expected_slope) return "–";
-    const auto& [low, high] = *series.expected_slope;
-    return low == high ? readable(low) : fmt::format("{} to {}", readable(low), readable(high));
-}
-
 std::vector<std::string> row(const FigureResult& figure, const Series& series) {
     const Slope& slope = series.slope;
     std::vector<std::string> cells = {figure.about.id, series.estimator, series.integrand, "–", "–"};
@@ -21,7 +15,7 @@ std::vector<std::string> row(const FigureResult& figure, const Series& series) {
     const bool fitted = !std::isnan(slope.value);
     cells.push_back(fitted ? fmt::format("{:.2f}", slope.value) : "–");
     cells.push_back(fitted ? fmt::format("[{:.2f}, {:.2f}]", slope.interval.low, slope.interval.high) : "–");
-    cells.push_back(expected(series));
+    cells.push_back(expected_text(series));
     return cells;
 }
 

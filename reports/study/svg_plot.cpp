@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "reports/page/series_styles.h"
 #include "reports/study/log_axis.h"
 #include "reports/text/text.h"
 #include "reports/text/xml.h"
@@ -9,17 +10,16 @@
 namespace plumb::reports {
 namespace {
 
-// Okabe and Ito's palette, safe for colour-blind readers; the page's (page/style.css) in the same order.
-constexpr std::array colours = {"#0072b2", "#d55e00", "#009e73", "#b5549a", "#b07c00", "#3a9bd9", "#5f5f5f", "#7b4ea8"};
-constexpr std::array symbols = {
-    "M-3.4,0a3.4,3.4 0 1,0 6.8,0a3.4,3.4 0 1,0 -6.8,0z",                                 // circle
-    "M-3,-3H3V3H-3z",                                                                    // square
-    "M0,-4.2L3.8,2.6H-3.8z",                                                             // triangle
-    "M0,-4.6L3.2,0L0,4.6L-3.2,0z",                                                       // diamond
-    "M-1.3,-4H1.3V-1.3H4V1.3H1.3V4H-1.3V1.3H-4V-1.3H-1.3z",                              // cross
-    "M0,-4.8L1.2,-1.5L4.6,-1.4L1.8,0.7L2.8,4L0,2L-2.8,4L-1.8,0.7L-4.6,-1.4L-1.2,-1.5z",  // star
-    "M0,4.2L3.8,-2.6H-3.8z",                                                             // triangle, point down
-};
+const std::string& colour_of(const SvgLine& line) {
+    const auto& colours = series_styles().light;
+    return colours[line.style % colours.size()];
+}
+
+const std::string& symbol_of(const SvgLine& line) {
+    const auto& symbols = series_styles().symbols;
+    return symbols[line.style % symbols.size()].path;
+}
+
 constexpr double left = 66, top = 58, width = 470, height = 340, right = left + width, bottom = top + height;
 
 bool drawable(const SvgPoint& p) {
@@ -96,7 +96,7 @@ void draw_guides(Drawing& svg, const SvgPlot& plot, const LogAxis& x, const LogA
 
 void draw_line(Drawing& svg, const SvgLine& line, const LogAxis& x, const LogAxis& y) {
     const std::vector<SvgPoint> points = shown(line);
-    const char* const colour = colours.at(line.style % colours.size());
+    const std::string& colour = colour_of(line);
     std::string upper, lower, path;
     for (const SvgPoint& p : points) {
         fmt::format_to(std::back_inserter(upper), "{:.1f},{:.1f} ", x(p.x), y(p.high));
@@ -111,17 +111,17 @@ void draw_line(Drawing& svg, const SvgLine& line, const LogAxis& x, const LogAxi
                     colour);
     for (const SvgPoint& p : points)
         svg.put("<path transform='translate({:.1f},{:.1f})' d='{}' fill='#fff' stroke='{}' stroke-width='1.5'/>",
-                x(p.x), y(p.y), symbols.at(line.style % symbols.size()), colour);
+                x(p.x), y(p.y), symbol_of(line), colour);
 }
 
 void draw_legend(Drawing& svg, const SvgPlot& plot) {
     double at = top + 8;
     for (const SvgLine& line : plot.lines) {
-        const char* const colour = colours.at(line.style % colours.size());
+        const std::string& colour = colour_of(line);
         svg.put("<g transform='translate({},{})'><path d='M0,0H30' stroke='{}' stroke-width='1.75'/>", right + 34, at,
                 colour);
         svg.put("<path transform='translate(15,0)' d='{}' fill='#fff' stroke='{}' stroke-width='1.5'/>",
-                symbols.at(line.style % symbols.size()), colour);
+                symbol_of(line), colour);
         svg.put("<text x='38' y='4'>{}</text></g>", escaped(line.name));
         at += 21;
     }

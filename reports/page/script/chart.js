@@ -1,7 +1,6 @@
 // Figures: one plot that follows the width of its frame, with its data and itself to download.
 
-const COLOURS = 8,
-  SYMBOLS = ["circle", "square", "triangle", "diamond", "cross", "star", "wye"];
+const { colours: COLOURS, symbols: SYMBOLS } = axes;
 
 /** One colour and symbol for a name, the same in every figure of the page; a study says which. */
 const styleOf = (() => {

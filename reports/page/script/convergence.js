@@ -1,17 +1,9 @@
 // Error against sample count, and the slopes.
 
 function slopeVerdict(series) {
-  const expected = series.expected_slope;
-  if (!expected || Number.isNaN(num(series.slope.value))) return DASH;
-  const apart = num(series.slope.high) < num(expected.low) || num(series.slope.low) > num(expected.high);
-  return apart ? badge("undecided", "apart") : badge("holds", "agrees");
-}
-
-function expectedText(expected) {
-  if (!expected) return DASH;
-  return num(expected.low) === num(expected.high)
-    ? readable(expected.low)
-    : `${readable(expected.low)} to ${readable(expected.high)}`;
+  const meets = series.meets_expectation;
+  if (meets === null) return DASH;
+  return meets ? badge("holds", "agrees") : badge("undecided", "apart");
 }
 
 function convergenceSection() {
@@ -32,7 +24,7 @@ function convergenceSection() {
       row: (s) => [
         readable(s.slope.value),
         interval(s.slope),
-        expectedText(s.expected_slope),
+        s.expected_text,
         slopeVerdict(s),
         count(s.replicates),
         s.claim ? claimLink(s.claim) : DASH,

@@ -1,6 +1,6 @@
 // What the program wrote into the page, and how claims, mutants and series hang together.
 
-const { results, against, study } = JSON.parse(document.getElementById("data").textContent);
+const { results, against, study, axes } = JSON.parse(document.getElementById("data").textContent);
 
 const claims = results.claims ?? [];
 const mutants = results.mutants ?? [];
@@ -17,8 +17,10 @@ const allStability = claims.flatMap((claim) =>
   (claim.stability ?? []).map((record) => ({ ...record, claim: claim.id })),
 );
 
-function numericPoint(point) {
-  return Object.fromEntries(Object.entries(point).map(([name, value]) => [name, num(value)]));
+/** `metrics` holds what each metric says at the point, as [value, low, high]. */
+function numericPoint({ metrics, ...point }) {
+  const mapped = (object, of) => Object.fromEntries(Object.entries(object).map(([name, value]) => [name, of(value)]));
+  return { ...mapped(point, num), metrics: mapped(metrics, (triple) => triple.map(num)) };
 }
 
 const OUTCOMES = {

@@ -1,46 +1,24 @@
 // Error against work for the series on one integrand: what "Convergence" and "Work–precision" share.
 
-const X_AXES = {
-  n: { label: "samples n", of: (p) => p.n, base: 2 },
-  evaluations: { label: "evaluations of the integrand", of: (p) => p.evaluations },
-  seconds: { label: "seconds per estimate", of: (p) => p.seconds },
-};
+const byName = (list) => Object.fromEntries(list.map((one) => [one.name, one]));
+const X_AXES = byName(axes.works);
 
-/** Each gives [value, low, high], of a point and {cost, integral}; efficiency turns the interval round. `slope` is the
-    exponent where that of the MSE is 1. */
-const Y_AXES = {
-  mse: { label: "MSE", of: (p) => [p.mse, p.mse_low, p.mse_high], slope: 1 },
-  rmse: { label: "RMSE", of: (p) => [p.mse, p.mse_low, p.mse_high].map((v) => Math.sqrt(Math.max(v, 0))), slope: 0.5 },
-  relative_mse: {
-    label: "relative MSE",
-    of: (p, { integral }) => [p.mse, p.mse_low, p.mse_high].map((v) => v / integral ** 2),
-    slope: 1,
-  },
-  bias: {
-    label: "|bias|",
-    of: (p) => [0, -1.96, 1.96].map((z) => Math.abs(p.bias) + z * p.bias_standard_error),
-  },
-  efficiency: {
-    label: "efficiency 1 / (MSE × cost)",
-    of: (p, { cost }) => [
-      1 / (p.mse * cost),
-      1 / (p.mse_high * cost),
-      p.mse_low > 0 ? 1 / (p.mse_low * cost) : Infinity,
-    ],
-  },
-};
+/** `exponent` is that of a metric where the MSE has 1, null where it is no power of it. */
+const Y_AXES = byName(axes.metrics);
+
+/** [value, low, high] of a metric at a point, as the program computed them; its cost are seconds where they are the x
+    axis, else evaluations. */
+const metricAt = (p, x, y) =>
+  p.metrics[Y_AXES[y].by_cost ? `${y}/${x === "seconds" ? x : "evaluations"}` : y] ?? [NaN, NaN, NaN];
 
 const CSV_COLUMNS = ["n", "evaluations", "seconds", "mse", "mse_low", "mse_high", "bias", "bias_standard_error"];
-
-/** What is costed: the x axis, or evaluations where that is a sample count. */
-const costOf = (p, x) => (x === "seconds" ? p.seconds : p.evaluations);
 
 /** The points of a series in the chosen axes; those a logarithmic axis cannot show are left out and counted. */
 function plottable(series, x, y) {
   const drawn = [];
   for (const p of series.points) {
-    const [value, low, high] = Y_AXES[y].of(p, { cost: costOf(p, x), integral: series.integral });
-    const at = X_AXES[x].of(p);
+    const [value, low, high] = metricAt(p, x, y);
+    const at = p[x];
     if (!(value > 0 && Number.isFinite(value) && at > 0)) continue;
     drawn.push({ series, point: p, x: at, y: value, ...logBand(value, low, high) });
   }
@@ -50,8 +28,8 @@ function plottable(series, x, y) {
 /** The expected slope as a line through the geometric middle of the points; only where x is n and y a power of MSE. */
 function expectedLine({ drawn }, series, x, y) {
   const expected = series.expected_slope;
-  if (!expected || x !== "n" || !Y_AXES[y].slope || drawn.length < 2) return [];
-  const slope = (Y_AXES[y].slope * (num(expected.low) + num(expected.high))) / 2;
+  if (!expected || x !== "n" || !Y_AXES[y].exponent || drawn.length < 2) return [];
+  const slope = (Y_AXES[y].exponent * (num(expected.low) + num(expected.high))) / 2;
   if (!Number.isFinite(slope)) return [];
   const middle = [d3.mean(drawn, (d) => Math.log(d.x)), d3.mean(drawn, (d) => Math.log(d.y))];
   return [drawn[0].x, drawn.at(-1).x].map((at) => ({
@@ -63,7 +41,7 @@ function expectedLine({ drawn }, series, x, y) {
 
 /** Guides of the given exponents of the MSE, from the highest of the first points down to the lowest that is shown. */
 function guideLines(points, values, slopes, { x, y }) {
-  const power = Y_AXES[y].slope;
+  const power = Y_AXES[y].exponent;
   if (!slopes?.length || !power || x === "seconds" || points.length === 0) return [];
   const [left, right] = d3.extent(points, (d) => d.x);
   const start = d3.max(points, (d) => (d.x === left ? d.y : -Infinity));

@@ -7,10 +7,11 @@ const sourceSays = (text) => (text ? h("blockquote", {}, h("b", {}, "The source:
 /** One plot for each integrand and metric, sharing the state of the figure's controls. */
 function studyPanels(plan, state) {
   return plan.panels.flatMap((panel) => {
-    const series = panel.series.map((index) => ({ ...allSeries[index], integral: num(panel.integral) }));
+    const series = panel.series.map((index) => allSeries[index]);
+    const xLabels = { ...state.xLabels, evaluations: panel.unit };
     const visible = () => series.filter((s) => !state.hidden.has(s.estimator));
     return plan.metrics.map((metric) => {
-      const setting = () => ({ ...state, y: state.y ?? metric });
+      const setting = () => ({ ...state, xLabels, y: state.y ?? metric });
       const several = plan.metrics.length > 1;
       const parts = [plan.panels.length > 1 ? panel.integrand : "", several ? metric : ""].filter(Boolean);
       const plot = figure(
@@ -37,7 +38,7 @@ function studyNumbers(plan) {
         h("span", { class: "id" }, s.integrand),
         readable(s.slope.value),
         interval(s.slope),
-        expectedText(s.expected_slope),
+        s.expected_text,
         slopeVerdict(s),
         count(last?.n),
         readable(last?.mse),

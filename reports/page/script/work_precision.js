@@ -10,12 +10,12 @@ function workSection() {
     hidden: new Set(),
   };
   const last = (s) => s.points.at(-1);
-  const { relative_mse, ...errors } = Y_AXES; // a series alone does not know its integral
+  const errors = Object.fromEntries(Object.entries(Y_AXES).filter(([, axis]) => !axis.by_truth)); // no integral here
   return seriesSection({
     id: "work",
     title: "Work–precision",
     state,
-    lead: "What an error costs: the same measurements against evaluations of the integrand or against seconds. Efficiency is 1 / (MSE × cost), the cost in evaluations, or in seconds when they are the axis. Seconds depend on the machine and decide nothing.",
+    lead: "What an error costs: the same measurements against evaluations (of an integrand, or rays of a scene) or against seconds. Efficiency is 1 / (MSE × cost), the cost in evaluations, or in seconds when they are the axis. Seconds depend on the machine and decide nothing.",
     controls: (redraw) => [
       axisChoice("Across", X_AXES, state, "x", redraw),
       axisChoice("Up", errors, state, "y", redraw),

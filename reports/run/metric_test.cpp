@@ -1,4 +1,4 @@
-#include "reports/study/metric.h"
+#include "reports/run/metric.h"
 
 #include <gmock/gmock.h>
 
