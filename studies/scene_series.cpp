@@ -57,8 +57,7 @@ struct Method {
 Method method_of(const std::string& id) {
     const std::size_t plus = id.find('+');
     const std::string sampler = plus == std::string::npos ? "independent" : id.substr(plus + 1);
-    Sampler(sampler, 1);  // knows the name, or says so
-    return {id, sampler, find_integrator(id.substr(0, plus)).make({})};
+    return {id, find_sampler(sampler).id, make_integrator(id.substr(0, plus), {})};
 }
 
 /// The mean luminance of a region, with bounds of its variance.

@@ -28,8 +28,7 @@ struct Options : RenderOptions {
 
 // What the picture will lack is not noise, and no error tells it.
 void print_what_is_left_out(const std::string& integrator, const Scene& scene) {
-    if (integrator != "path" && integrator != "light") return;
-    const Transporter by = integrator == "path" ? Transporter::path : Transporter::light;
+    const MakesPath by = find_integrator(integrator).makes.path;
     constexpr int most_edges = 4;
     std::vector<std::string> classes;
     for (const PathClass& path : left_out(by, scene, most_edges)) classes.push_back(to_string(path));

@@ -4,21 +4,38 @@
 
 namespace plumb {
 
+namespace {
+
+constexpr std::size_t uses = static_cast<std::size_t>(Use::shadow) + 1;
+constexpr std::uint16_t first_light_slot = 0x8000;
+
+}  // namespace
+
 void PointSetSamples::start(const PathKey& key) {
     const bool same_sets = key.seed == key_.seed && key.pixel == key_.pixel && key.sample / n_ == key_.sample / n_;
-    if (!same_sets) sets_.clear();
+    if (!same_sets || now_ == 0) ++now_;
     key_ = key;
 }
 
+PointSetSamples::Set& PointSetSamples::set_of(Slot slot) {
+    const bool of_light = slot.vertex >= first_light_slot;
+    std::vector<Set>& sets = of_light ? from_light_ : from_sensor_;
+    const std::size_t vertex = slot.vertex - (of_light ? first_light_slot : 0u);
+    const std::size_t number = vertex * uses + static_cast<std::size_t>(slot.use);
+    if (number >= sets.size()) sets.resize((vertex + 1) * uses);
+    return sets[number];
+}
+
 Drawn PointSetSamples::at(Slot slot) {
-    std::vector<Point<2>>& set = sets_[slot];
-    if (set.empty()) {
+    Set& set = set_of(slot);
+    if (set.made_for != now_) {
         const std::uint64_t pixel_and_pass = static_cast<std::uint64_t>(key_.pixel) << 32 | key_.sample / n_;
         RandomStream random(key_.seed, pixel_and_pass, slot_index(slot));
-        set = generate_(n_, random);
-        shuffle(std::span(set), random);
+        set.points = generate_(n_, random);
+        shuffle(std::span(set.points), random);
+        set.made_for = now_;
     }
-    return {set[key_.sample % n_]};
+    return {set.points[key_.sample % n_]};
 }
 
 }  // namespace plumb

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <vector>
 
 #include "core/point.h"
@@ -16,19 +15,27 @@ namespace plumb {
 class PointSetSamples final : public PrimarySamples {
 public:
     /// n points in [0,1)², each of them uniform.
-    using Generate = std::vector<Point<2>> (*)(std::uint64_t n, RandomStream& random);
+    using Generate = std::function<std::vector<Point<2>>(std::uint64_t n, RandomStream& random)>;
 
-    PointSetSamples(Generate generate, std::uint32_t n) : generate_(generate), n_(n) {}
+    PointSetSamples(Generate generate, std::uint32_t n) : generate_(std::move(generate)), n_(n) {}
 
     /// The path whose numbers at() gives from now on. Sets are kept as long as pixel and pass stay the same.
     void start(const PathKey& key);
     Drawn at(Slot slot) override;
 
 private:
+    /// The points of one slot, and for which pixel and pass they were made.
+    struct Set {
+        std::uint64_t made_for = 0;
+        std::vector<Point<2>> points;
+    };
+    Set& set_of(Slot slot);
+
     Generate generate_;
     std::uint32_t n_;
     PathKey key_{~std::uint64_t{0}, ~std::uint32_t{0}, ~std::uint32_t{0}};
-    std::map<Slot, std::vector<Point<2>>> sets_;
+    std::uint64_t now_ = 0;                      // counts pixels and passes as they come
+    std::vector<Set> from_sensor_, from_light_;  // by slot, of the two subpaths' vertices
 };
 
 }  // namespace plumb

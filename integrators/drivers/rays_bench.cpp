@@ -31,7 +31,7 @@ void trace_picture(const PathEstimator& estimator, Sampler& sampler, PathRecord&
 }
 
 void rays_in(benchmark::State& state, const std::string& integrator) {
-    const auto estimator = find_integrator(integrator).make({});
+    const auto estimator = make_integrator(integrator, {});
     Sampler sampler("independent", 1);
     PathRecord record;
     for (auto _ : state) trace_picture(*estimator, sampler, record);
@@ -43,7 +43,7 @@ void rays_of_embree_alone(benchmark::State& state, const std::string& integrator
     std::vector<TracedRay> rays;
     PathRecord record;
     record.rays.kept = &rays;
-    trace_picture(*find_integrator(integrator).make({}), sampler, record);
+    trace_picture(*make_integrator(integrator, {}), sampler, record);
     for (auto _ : state) benchmark::DoNotOptimize(bench_scene().embree().count_hits(rays));
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rays.size()));
 }

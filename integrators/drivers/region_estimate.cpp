@@ -17,7 +17,7 @@ Estimate region_estimate(const Scene& scene, const PathEstimator& estimator, con
         estimator.trace(scene, region, samples.start({seed, pixel, i}), record);
         values.add(luminance(region_mean(record, region, scene.sensor().filter())));
     }
-    const double error = sampler == "independent" ? values.standard_error() : std::numeric_limits<double>::infinity();
+    const double error = samples.independent() ? values.standard_error() : std::numeric_limits<double>::infinity();
     return {values.mean(), error, record.rays.count};
 }
 

@@ -1,23 +1,39 @@
 #include "integrators/drivers/sampler.h"
 
 #include "core/error.h"
-#include "estimators/points/sobol.h"
-#include "estimators/points/stratified.h"
 
 namespace plumb {
 
 namespace {
 
-std::variant<IndependentSamples, PointSetSamples> samples_named(const std::string& name, std::uint32_t n) {
-    if (name == "independent") return IndependentSamples();
-    if (name == "stratified") return PointSetSamples(stratified_2d, n);
-    if (name == "sobol") return PointSetSamples(owen_sobol_2d, n);
-    throw unknown_name("sampler", name, sampler_names());
+std::variant<IndependentSamples, PointSetSamples> samples_of(const PointSet<2>& set, std::uint32_t n) {
+    if (set.independent) return IndependentSamples();
+    return PointSetSamples(set.generate, n);
 }
 
 }  // namespace
 
-Sampler::Sampler(const std::string& name, std::uint32_t n) : samples_(samples_named(name, n)) {}
+const std::vector<PointSet<2>>& samplers() {
+    static const std::vector<PointSet<2>> randomised = [] {
+        std::vector<PointSet<2>> sets;
+        for (const PointSet<2>& set : point_sets_2d())
+            if (set.randomised) sets.push_back(set);
+        return sets;
+    }();
+    return randomised;
+}
+
+const PointSet<2>& find_sampler(const std::string& id) {
+    const std::string full = id == "sobol" ? "sobol-owen" : id;
+    std::vector<std::string> known;
+    for (const PointSet<2>& set : samplers()) {
+        if (set.id == full) return set;
+        known.push_back(set.id);
+    }
+    throw unknown_name("sampler", id, known);
+}
+
+Sampler::Sampler(const std::string& id, std::uint32_t n) : samples_(samples_of(find_sampler(id), n)) {}
 
 PrimarySamples& Sampler::start(const PathKey& key) {
     return std::visit(
@@ -26,10 +42,6 @@ PrimarySamples& Sampler::start(const PathKey& key) {
             return samples;
         },
         samples_);
-}
-
-std::vector<std::string> sampler_names() {
-    return {"independent", "stratified", "sobol"};
 }
 
 }  // namespace plumb

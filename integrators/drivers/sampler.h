@@ -5,24 +5,31 @@
 #include <vector>
 
 #include "core/primary_samples.h"
+#include "estimators/points/point_set.h"
 #include "estimators/points/point_set_samples.h"
 
 namespace plumb {
 
-/// Where a render's random numbers come from: independent ones, or point sets over the samples of a pass.
+/// Samplers of a render: the point sets whose points are each uniform, as `plumb list estimators` names them.
+const std::vector<PointSet<2>>& samplers();
+/// `sobol` is `sobol-owen` in a render: Sobol's sequence itself is no random set. Throws Error naming the nearest ones.
+const PointSet<2>& find_sampler(const std::string& id);
+
+/// Where a render's random numbers come from: independent ones, or point sets over the samples of a pixel in a pass.
 class Sampler {
 public:
-    /// independent, stratified or sobol (Owen's scrambling), n samples of a pixel a pass. Throws Error for another
-    /// name.
-    Sampler(const std::string& name, std::uint32_t n);
+    /// n samples of a pixel a pass. Throws Error for an unknown name.
+    Sampler(const std::string& id, std::uint32_t n);
 
     /// The numbers of one path, until the next start().
     PrimarySamples& start(const PathKey& key);
 
+    /// Whether the paths of a pixel in a pass are independent of each other: then their spread is the error of their
+    /// mean.
+    [[nodiscard]] bool independent() const { return std::holds_alternative<IndependentSamples>(samples_); }
+
 private:
     std::variant<IndependentSamples, PointSetSamples> samples_;
 };
-
-std::vector<std::string> sampler_names();
 
 }  // namespace plumb

@@ -4,36 +4,16 @@
 
 namespace plumb {
 
-namespace {
-
 using Source = PathClass::Source;
 
-// Which kinds of scattering a material has by itself; of two-sided ones and masks, the nested materials say it.
-struct Scatters {
-    bool smoothly = false, by_mirror = false;
-};
-Scatters scattering(const description::Diffuse&) {
-    return {true, false};
-}
-Scatters scattering(const description::Conductor& conductor) {
-    return {conductor.roughness.has_value(), !conductor.roughness};
-}
-Scatters scattering(const description::Dielectric& dielectric) {
-    return {dielectric.roughness.has_value(), !dielectric.roughness};
-}
-Scatters scattering(const description::Plastic& plastic) {
-    return {true, !plastic.roughness};
-}
-Scatters scattering(const description::TwoSided&) {
-    return {};
-}
-Scatters scattering(const description::Mask&) {
-    return {};
-}
+namespace {
 
-Source kind_of(const Light& light) {
-    if (is_environment(light)) return Source::environment;
-    return std::holds_alternative<PointLight>(light) ? Source::point : Source::surface;
+// Whether the light can be hit, and whether it can be sampled from the last vertex.
+bool met(const PathClass& path) {
+    return path.source != Source::point;
+}
+bool sampled(const PathClass& path) {
+    return !path.mirrors.empty() && !path.mirrors.back();
 }
 
 }  // namespace
@@ -47,7 +27,7 @@ std::string to_string(const PathClass& path) {
 std::vector<PathClass> path_classes(const Scene& scene, int edges) {
     Scatters some;
     for (const description::Material& material : scene.description().materials) {
-        const Scatters one = std::visit([](const auto& kind) { return scattering(kind); }, material.kind);
+        const Scatters one = std::visit([](const auto& kind) { return kind.scatters(); }, material.kind);
         some = {some.smoothly || one.smoothly, some.by_mirror || one.by_mirror};
     }
     std::vector<Source> sources;
@@ -64,27 +44,36 @@ std::vector<PathClass> path_classes(const Scene& scene, int edges) {
     return classes;
 }
 
-bool can_make(Transporter transporter, const PathClass& path) {
-    const bool met = path.source != Source::point;
-    if (path.mirrors.empty()) return met;
-    const bool sampled = !path.mirrors.back(), seen = !path.mirrors.front();
-    switch (transporter) {
-        case Transporter::path: return met || sampled;
-        case Transporter::light: return seen;
-        case Transporter::bdpt: {
-            const auto two = std::ranges::adjacent_find(path.mirrors, [](bool a, bool b) { return !a && !b; });
-            return met || sampled || seen || two != path.mirrors.end();
-        }
-    }
-    return false;
+bool path_makes(const PathClass& path) {
+    return met(path) || sampled(path);
 }
 
-std::vector<PathClass> left_out(Transporter transporter, const Scene& scene, int most_edges) {
+bool light_makes(const PathClass& path) {
+    return path.mirrors.empty() ? met(path) : !path.mirrors.front();
+}
+
+bool bdpt_makes(const PathClass& path) {
+    const auto two = std::ranges::adjacent_find(path.mirrors, [](bool a, bool b) { return !a && !b; });
+    return path_makes(path) || light_makes(path) || two != path.mirrors.end();
+}
+
+bool direct_makes(const PathClass& path) {
+    return path.edges() <= 2 && path_makes(path);
+}
+
+bool direct_bsdf_makes(const PathClass& path) {
+    return path.edges() <= 2 && met(path);
+}
+
+bool direct_emitters_makes(const PathClass& path) {
+    return path.edges() <= 2 && (path.mirrors.empty() ? met(path) : sampled(path));
+}
+
+std::vector<PathClass> left_out(MakesPath makes, const Scene& scene, int most_edges) {
     std::vector<PathClass> classes;
     for (int edges = 1; edges <= most_edges; ++edges)
-        std::ranges::copy_if(path_classes(scene, edges), std::back_inserter(classes), [&](const PathClass& path) {
-            return can_make(Transporter::bdpt, path) && !can_make(transporter, path);
-        });
+        std::ranges::copy_if(path_classes(scene, edges), std::back_inserter(classes),
+                             [&](const PathClass& path) { return bdpt_makes(path) && !makes(path); });
     return classes;
 }
 

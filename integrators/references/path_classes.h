@@ -10,7 +10,7 @@ namespace plumb {
 
 /// Paths that an integrator can make all or none of. The lens, pinhole or not, is on no surface: nothing hits it.
 struct PathClass {
-    enum class Source { surface, point, environment };
+    using Source = EmitterKind;
 
     std::vector<bool> mirrors;  ///< of each surface vertex from the sensor on, whether a mirror or smooth interface
                                 ///< scatters there (their directions have no density), or the rest of a material
@@ -26,11 +26,22 @@ std::string to_string(const PathClass& path);
 /// Every class of so many edges that the scene's materials and lights can be put together to, wherever they stand.
 std::vector<PathClass> path_classes(const Scene& scene, int edges);
 
-enum class Transporter { path, light, bdpt };
-/// Whether it makes paths of this class. `path` meets a light, or samples one from a vertex that is no mirror; `light`
-/// connects such a vertex to the lens, and sees lights directly; `bdpt` does either, or connects two such vertices.
-bool can_make(Transporter transporter, const PathClass& path);
-/// Classes of at most so many edges that `bdpt` makes in the scene, and this one does not.
-std::vector<PathClass> left_out(Transporter transporter, const Scene& scene, int most_edges);
+/// Whether an integrator makes paths of this class.
+using MakesPath = bool (*)(const PathClass& path);
+
+/// `path` meets a light, or samples one from a vertex that is no mirror.
+bool path_makes(const PathClass& path);
+/// `light` connects a vertex that is no mirror to the lens, and sees lights directly.
+bool light_makes(const PathClass& path);
+/// `bdpt` does what `path` does or `light`, or connects two vertices that are no mirrors.
+bool bdpt_makes(const PathClass& path);
+/// `direct` and its kind do what `path` does in two edges: by samples of BSDFs they meet lights, by samples of emitters
+/// they light a vertex that is no mirror. All see lights directly.
+bool direct_makes(const PathClass& path);
+bool direct_bsdf_makes(const PathClass& path);
+bool direct_emitters_makes(const PathClass& path);
+
+/// Classes of at most so many edges that `bdpt` makes in the scene, and this integrator does not.
+std::vector<PathClass> left_out(MakesPath makes, const Scene& scene, int most_edges);
 
 }  // namespace plumb

@@ -14,19 +14,19 @@ Scene shipped(const std::string& name) {
 
 TEST(PathClasses, LeftOutIsLightOfPointsBehindMirrors) {
     Scene lamp = shipped("point_light");
-    EXPECT_TRUE(left_out(Transporter::path, lamp, 4).empty());
+    EXPECT_TRUE(left_out(path_makes, lamp, 4).empty());
     description::Scene with_glass = lamp.description();
     with_glass.materials.push_back({description::Dielectric{1.5, Spectrum::grey(1), Spectrum::grey(1), {}}, {}, {}});
     std::vector<std::string> names;
-    for (const PathClass& path : left_out(Transporter::path, Scene(with_glass), 3)) names.push_back(to_string(path));
+    for (const PathClass& path : left_out(path_makes, Scene(with_glass), 3)) names.push_back(to_string(path));
     EXPECT_THAT(names, testing::ElementsAre("EDSP"));
 }
 
 TEST(PathClasses, LightLeavesOutWhatTheLensSeesInMirrors) {
     const Scene glass = shipped("glass");
-    EXPECT_TRUE(left_out(Transporter::path, glass, 4).empty());  // no point lights
-    EXPECT_FALSE(left_out(Transporter::light, glass, 3).empty());
-    EXPECT_TRUE(left_out(Transporter::bdpt, glass, 4).empty());
+    EXPECT_TRUE(left_out(path_makes, glass, 4).empty());  // no point lights
+    EXPECT_FALSE(left_out(light_makes, glass, 3).empty());
+    EXPECT_TRUE(left_out(bdpt_makes, glass, 4).empty());
 }
 
 }  // namespace

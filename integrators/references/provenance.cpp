@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "core/error.h"
+#include "integrators/integrators.h"
 
 namespace plumb {
 namespace {
@@ -46,14 +47,37 @@ private:
 
 constexpr const char* program = "Plumb ";
 
+// name=value,name=value: no value has a comma.
+std::string text_of(const ParameterTexts& parameters) {
+    std::string all;
+    for (const auto& [name, value] : parameters) all += fmt::format("{}{}={}", all.empty() ? "" : ",", name, value);
+    return all;
+}
+
+ParameterTexts parameters_in(std::string_view text) {
+    ParameterTexts parameters;
+    while (!text.empty()) {
+        const std::string_view one = text.substr(0, text.find(','));
+        parameters.insert(parse_parameter(std::string(one)));
+        text.remove_prefix(std::min(text.size(), one.size() + 1));
+    }
+    return parameters;
+}
+
+// One that this program does not know is taken for an integrator of all light.
+Makes makes_of(const std::string& integrator) {
+    const NamedIntegrator* known = known_integrator(integrator);
+    return known ? known->makes : Makes{};
+}
+
 }  // namespace
 
 bool Provenance::is_radiance() const {
-    return integrator != "aov" && limits.length == 0 && !limits.strategy;
+    return makes_of(integrator).radiance && limits.length == 0 && !limits.strategy;
 }
 
 std::optional<int> Provenance::longest_path() const {
-    if (integrator.starts_with("direct")) return 2;
+    if (const std::optional<int> longest = makes_of(integrator).longest) return longest;
     return limits.max_edges < 0 ? std::nullopt : std::optional(limits.max_edges);
 }
 
@@ -75,6 +99,7 @@ std::map<std::string, std::string> metadata_of(const Provenance& p) {
         {"plumb:scene", p.scene},
         {"plumb:scene_hash", p.scene_hash},
         {"plumb:integrator", p.integrator},
+        {"plumb:driver", p.driver},
         {"plumb:sampler", p.sampler},
         {"plumb:max_depth", fmt::format("{}", p.limits.max_edges)},
         {"plumb:rr_depth", fmt::format("{}", p.limits.roulette_edges)},
@@ -84,6 +109,7 @@ std::map<std::string, std::string> metadata_of(const Provenance& p) {
         {"plumb:film", fmt::format("{}x{}", p.film.width, p.film.height)},
         {"plumb:crop", fmt::format("{},{},{},{}", p.crop.x, p.crop.y, p.crop.width, p.crop.height)},
         {"Software", program + p.version}};
+    if (!p.parameters.empty()) metadata["plumb:parameters"] = text_of(p.parameters);
     if (p.limits.length > 0) metadata["plumb:length"] = fmt::format("{}", p.limits.length);
     if (p.limits.strategy)
         metadata["plumb:strategy"] = fmt::format("{},{}", p.limits.strategy->s, p.limits.strategy->t);
@@ -103,6 +129,8 @@ std::optional<Provenance> provenance_of(const Image& image, const std::string& f
                  .sampler = from.text("plumb:sampler"),
                  .version = from.text("Software")};
     if (p.version.starts_with(program)) p.version.erase(0, std::string(program).size());
+    if (const std::string driver = from.text("plumb:driver"); !driver.empty()) p.driver = driver;
+    p.parameters = parameters_in(from.text("plumb:parameters"));
     from.read("plumb:max_depth", p.limits.max_edges);
     from.read("plumb:rr_depth", p.limits.roulette_edges);
     from.read("plumb:length", p.limits.length);

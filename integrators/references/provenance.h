@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/image.h"
+#include "core/parameters.h"
 #include "integrators/paths/limits.h"
 #include "integrators/paths/path_estimator.h"
 #include "scenes/film/film_error.h"
@@ -16,6 +17,8 @@ namespace plumb {
 /// so that the same seed gives the same file.
 struct Provenance {
     std::string scene = {}, scene_hash = {}, integrator = {}, sampler = {}, version = {};
+    std::string driver = "pixels";
+    ParameterTexts parameters = {};
     PathLimits limits = {};
     std::uint64_t seed = 0, samples_per_pixel = 0, replicates = 0;
     FilmSize film{0, 0};

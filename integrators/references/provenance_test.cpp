@@ -17,6 +17,8 @@ TEST(Provenance, SurvivesItsMetadata) {
                           .integrator = "bdpt",
                           .sampler = "sobol",
                           .version = "1.2",
+                          .driver = "frameless",
+                          .parameters = {{"pixel-share", "0.5"}, {"roulette-start", "3"}},
                           .limits = {7, 3, 6, Strategy{2, 5}},
                           .seed = 1u << 31,
                           .samples_per_pixel = 64,
@@ -29,6 +31,8 @@ TEST(Provenance, SurvivesItsMetadata) {
     const auto read = provenance_of(image_with(metadata), "a.exr");
     ASSERT_TRUE(read);
     EXPECT_EQ(metadata_of(*read), metadata_of(said));
+    EXPECT_EQ(read->driver, "frameless");
+    EXPECT_EQ(read->parameters, said.parameters);
     EXPECT_EQ(read->error.relative, said.error.relative);
     EXPECT_EQ(read->limits.strategy->t, 5);
     EXPECT_FALSE(read->is_radiance());

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "integrators/integrators.h"
 
 namespace plumb {
 
@@ -30,9 +31,9 @@ std::optional<Reference> find_reference(const fs::path& cache, const Provenance&
 
 Reference require_reference(const fs::path& cache, const Provenance& scene, std::optional<int> longest_path,
                             const std::string& asked) {
-    for (const char* integrator : {"bdpt", "path", "direct"}) {  // who makes most kinds of paths first
+    for (const NamedIntegrator* integrator : reference_integrators()) {
         Provenance wanted = scene;
-        wanted.integrator = integrator;
+        wanted.integrator = integrator->id;
         wanted.limits = {.max_edges = wanted.longest_path() ? -1 : longest_path.value_or(-1)};
         if (wanted.longest_path() != longest_path) continue;
         if (auto found = find_reference(cache, wanted)) return std::move(*found);

@@ -21,8 +21,8 @@ std::filesystem::path reference_file(const std::filesystem::path& cache, const P
 /// What lies there; empty where nothing does, or not what the name says, or what another version of Plumb made.
 std::optional<Reference> find_reference(const std::filesystem::path& cache, const Provenance& wanted);
 
-/// Of a scene, that of paths of these lengths (empty: of any) by the integrator that makes most kinds of them: `bdpt`,
-/// `path`, then `direct`. Throws Error saying how to make one of what was asked for: a file, or a shipped name.
+/// Of a scene, that of paths of these lengths (empty: of any) by the first of reference_integrators() that has one.
+/// Throws Error saying how to make one of what was asked for: a file, or a shipped name.
 Reference require_reference(const std::filesystem::path& cache, const Provenance& scene,
                             std::optional<int> longest_path, const std::string& asked);
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/distributions.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/calibration/laws.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -308,7 +308,7 @@ void add_evidence_claims(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_calibration_claims_of_means(Catalogue& catalogue) {
+void add_calibration_means(Catalogue& catalogue) {
     add_evidence_claims(catalogue);
     for (const Trial& trial : trials()) add_false_alarm_claim(catalogue, trial);
     for (const Trial& trial : trials()) add_wrong_holds_claim(catalogue, trial);

@@ -1,9 +1,9 @@
 // What telescoping is forecast to vary and to cost, against closed forms, measured variances and counted evaluations.
 
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/ratio.h"
 #include "verification/suites/debiasing/telescoping_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -81,7 +81,7 @@ double exp_sum_variance_of_independent_terms() {
 
 }  // namespace
 
-void add_forecast_claims(Catalogue& catalogue) {
+void add_debiasing_forecasts(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/forecast/closed-forms",
         .statement = "Forecast variance and cost agree with their closed forms.",

@@ -4,10 +4,10 @@
 
 #include "analytic/enumeration.h"
 #include "estimators/debiasing/russian_roulette.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
 #include "verification/evidence/ratio.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -83,7 +83,7 @@ Verdict roulette_cost(double q, const Run& run) {
 
 }  // namespace
 
-void add_roulette_claims(Catalogue& catalogue) {
+void add_debiasing_roulette(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/roulette/expectation",
         .statement =

@@ -2,9 +2,9 @@
 // limits.
 
 #include "analytic/enumeration.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/debiasing/telescoping_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -261,7 +261,7 @@ void add_squared_mean(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_debiasing_claims(Catalogue& catalogue) {
+void add_debiasing_telescoping(Catalogue& catalogue) {
     add_finite_telescoping(catalogue);
     add_single_terms(catalogue);
     add_roulette_sums(catalogue);

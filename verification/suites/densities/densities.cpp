@@ -6,9 +6,9 @@
 
 #include "estimators/densities/density_2d.h"
 #include "estimators/densities/piecewise_constant.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/distribution.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -310,7 +310,7 @@ void add_discrete(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_density_claims(Catalogue& catalogue) {
+void add_densities_densities(Catalogue& catalogue) {
     for (const DensityCase& density : density_cases()) add_one_dimensional(catalogue, density);
     add_two_dimensional(catalogue);
     add_discrete(catalogue);

@@ -3,11 +3,11 @@
 // power.
 
 #include "estimators/densities/warps.h"
+#include "verification/claim.h"
 #include "verification/evidence/distribution.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/lights/jacobian.h"
 #include "verification/suites/lights/light_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -169,7 +169,7 @@ void add_environment_distribution(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_light_claims(Catalogue& catalogue) {
+void add_lights_lights(Catalogue& catalogue) {
     for (const Light& light : lights()) add_one(catalogue, light);
     add_environment_distribution(catalogue);
 }

@@ -3,9 +3,9 @@
 
 #include "estimators/densities/warps.h"
 
+#include "verification/claim.h"
 #include "verification/evidence/distribution.h"
 #include "verification/suites/lights/jacobian.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -104,7 +104,7 @@ Verdict samples_are_uniform_again(const Sample& sample, const WarpCase& warp, co
 
 }  // namespace
 
-void add_warp_claims(Catalogue& catalogue) {
+void add_lights_warps(Catalogue& catalogue) {
     for (const WarpCase& warp : warp_cases()) {
         const auto jacobian = [warp](const std::function<double(Vec3)>& pdf) {
             return pdf_is_jacobian([&](const Point<2>& u) {

@@ -4,9 +4,9 @@
 #include <array>
 
 #include "analytic/enumeration.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/mis/mis_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -323,7 +323,7 @@ void add_theorems(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_exact_mis_claims(Catalogue& catalogue) {
+void add_mis_exact(Catalogue& catalogue) {
     add_definitions(catalogue);
     add_expectations(catalogue);
     add_theorems(catalogue);

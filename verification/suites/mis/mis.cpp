@@ -6,11 +6,11 @@
 #include "analytic/rational.h"
 #include "estimators/densities/density.h"
 #include "estimators/mis/mis_estimators.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
 #include "verification/evidence/ratio.h"
 #include "verification/suites/mis/mis_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -319,7 +319,7 @@ void add_variances(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_mis_claims(Catalogue& catalogue) {
+void add_mis_mis(Catalogue& catalogue) {
     add_weights(catalogue);
     add_means(catalogue);
     add_variances(catalogue);

@@ -8,10 +8,10 @@
 #include "estimators/mis/control_variate.h"
 #include "estimators/mis/importance_estimators.h"
 #include "estimators/mis/importance_sampling.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
 #include "verification/evidence/ratio.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -251,7 +251,7 @@ void add_control_variates(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_variance_reduction_claims(Catalogue& catalogue) {
+void add_mis_variance_reduction(Catalogue& catalogue) {
     add_importance(catalogue);
     add_control_variates(catalogue);
     add_registered(catalogue, importance_estimators_1d());

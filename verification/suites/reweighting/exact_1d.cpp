@@ -1,6 +1,6 @@
 #include "analytic/ordered_samples.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
-#include "verification/suites/reweighting/subjects_1d.h"
 
 namespace plumb::suites {
 namespace {
@@ -154,7 +154,7 @@ void add_torus_cells(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_reweighting_1d_exact_claims(Catalogue& catalogue) {
+void add_reweighting_exact_1d(Catalogue& catalogue) {
     add_clipped_cells(catalogue);
     add_torus_cells(catalogue);
 }

@@ -118,7 +118,7 @@ Verdict density_unbiased(const Division& by, const Run& run) {
 
 }  // namespace
 
-void add_reweighting_2d_expected_cell_claims(Catalogue& catalogue) {
+void add_reweighting_expected_cells_2d(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-general-g/integrates-to-1",
         .statement = "The tabulated g of 4 uniform samples in the square integrates to 1, because their cells fill it.",

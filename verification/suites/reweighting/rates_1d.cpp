@@ -6,8 +6,8 @@
 #include "estimators/reweighting/reweighting_estimators_1d.h"
 #include "estimators/reweighting/samples_1d.h"
 #include "estimators/reweighting/tent.h"
+#include "verification/claim.h"
 #include "verification/evidence/rate.h"
-#include "verification/suites/reweighting/subjects_1d.h"
 
 namespace plumb::suites {
 namespace {
@@ -235,7 +235,7 @@ void add_fast(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_reweighting_1d_rate_claims(Catalogue& catalogue) {
+void add_reweighting_rates_1d(Catalogue& catalogue) {
     add_slow(catalogue);
     add_fast(catalogue);
 }

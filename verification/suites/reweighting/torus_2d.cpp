@@ -59,7 +59,7 @@ Verdict unbiased_after_shift(const Shifted& subject, const Run& run) {
 
 }  // namespace
 
-void add_reweighting_2d_torus_claims(Catalogue& catalogue) {
+void add_reweighting_torus_2d(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-torus/unbiased",
         .statement =

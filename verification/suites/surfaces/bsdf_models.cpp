@@ -6,7 +6,7 @@
 
 #include "scenes/bsdfs/bsdf.h"
 #include "scenes/bsdfs/fresnel.h"
-#include "verification/suites/suites.h"
+#include "verification/claim.h"
 #include "verification/suites/surfaces/bsdf_defects.h"
 
 namespace plumb::suites {
@@ -281,7 +281,7 @@ void add(Catalogue& catalogue, const Model& model, const PropertyOfAll& property
 
 }  // namespace
 
-void add_bsdf_model_claims(Catalogue& catalogue) {
+void add_surfaces_bsdf_models(Catalogue& catalogue) {
     for (const Model& model : models())
         for (const PropertyOfAll& property : properties())
             if (std::ranges::count(model.properties, property.id)) add(catalogue, model, property);

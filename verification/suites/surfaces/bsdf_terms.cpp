@@ -5,8 +5,8 @@
 #include "analytic/real.h"
 #include "scenes/bsdfs/fresnel.h"
 #include "scenes/bsdfs/microfacet.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -247,7 +247,7 @@ void add_microfacets(Catalogue& catalogue, MicrofacetShape shape, const std::str
 
 }  // namespace
 
-void add_bsdf_term_claims(Catalogue& catalogue) {
+void add_surfaces_bsdf_terms(Catalogue& catalogue) {
     add_fresnel(catalogue);
     constexpr auto ggx = MicrofacetShape::ggx, beckmann = MicrofacetShape::beckmann;
     add_microfacets(catalogue, ggx, "ggx", {"beckmann", "The masking of Beckmann's distribution.", g1_of_beckmann},

@@ -4,9 +4,10 @@
 #include <map>
 #include <set>
 
+#include "integrators/integrators.h"
 #include "integrators/references/path_classes.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
-#include "verification/suites/suites.h"
 #include "verification/suites/transport/transport_subjects.h"
 
 namespace plumb::suites {
@@ -14,6 +15,8 @@ namespace {
 
 using Source = PathClass::Source;
 using Classes = std::map<PathClass, std::uint64_t>;  // how often each was found
+/// Who is predicted, and who searches.
+enum class Transporter { path, light, bdpt };
 using Predicate = bool (*)(Transporter, const PathClass&);
 
 constexpr int most_edges = 4;
@@ -132,19 +135,19 @@ Verdict classes_are(Predicate predicate, const Run& run) {
 }
 
 bool predicted(Transporter transporter, const PathClass& path) {
-    return can_make(transporter, path);
+    return find_integrator(name_of(transporter)).makes.path(path);
 }
 bool lens_sees_mirrors(Transporter transporter, const PathClass& path) {
     return transporter == Transporter::light ? path.source != Source::point || !path.mirrors.empty()
-                                             : can_make(transporter, path);
+                                             : predicted(transporter, path);
 }
 bool no_caustics_of_points(Transporter transporter, const PathClass& path) {
-    return can_make(transporter == Transporter::bdpt ? Transporter::path : transporter, path);
+    return predicted(transporter == Transporter::bdpt ? Transporter::path : transporter, path);
 }
 
 }  // namespace
 
-void add_transport_class_claims(Catalogue& catalogue) {
+void add_transport_classes(Catalogue& catalogue) {
     catalogue.add({.id = "render/path-classes/predicate",
                    .statement =
                        "`path`, `light` and `bdpt` make the classes of paths that the predicate says, of those "

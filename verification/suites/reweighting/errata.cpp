@@ -1,16 +1,10 @@
-#include "verification/suites/reweighting/subjects_1d.h"
+// What the thesis states and our claims refute.
 
-#include "verification/suites/suites.h"
+#include "verification/claim.h"
 
 namespace plumb::suites {
 
-void add_reweighting_1d_claims(Catalogue& catalogue) {
-    add_reweighting_1d_exact_claims(catalogue);
-    add_reweighting_1d_bounded_claims(catalogue);
-    add_reweighting_1d_mean_claims(catalogue);
-    add_reweighting_1d_density_claims(catalogue);
-    add_reweighting_1d_rate_claims(catalogue);
-
+void add_reweighting_errata(Catalogue& catalogue) {
     catalogue.add(Erratum{
         "[thesis, section 4.4.2] and appendix A.2",
         "Weights of periodically augmented samples give a biased estimate: E = ∫ [1 + (1−x)^{N−2} ((1−x)(N+x−1) − "
