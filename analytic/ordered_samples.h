@@ -16,7 +16,7 @@ RationalPolynomial ordered_moment(int n, int k, int j);
 /// N E[|V| given a sample at x] for N i.i.d. uniform samples, cells clipped to [0,1]: g_N.
 RationalPolynomial clipped_cell_polynomial(int n);
 
-/// The same for the cells of the circle [0,1), 0 ≡ 1.
+/// N E[|V| given a sample at x] for cells of the circle [0,1), 0 ≡ 1: the constant 1.
 RationalPolynomial torus_cell_polynomial(int n);
 
 /// g_N as the thesis prints it: [(N − Nx − x) x^{N−1} + (Nx + x − 1)(1 − x)^{N−1} + 2]/2 [thesis, eq. 4.6].

@@ -24,14 +24,14 @@ struct RadiosityPlate {
 /// faces of a closed cube 1e-5, for where plates touch, L has no derivatives and converges as a power of 1/n.
 class Radiosity {
 public:
-    /// Of light that is reflected at most so often on its way to the eye, at least once; -1: as often as changes a
-    /// double. Throws Error for another number, for an albedo that is not in [0, 1): light would never end, for an
-    /// emission that is not finite, and where 10,000 reflections still change doubles.
+    /// The radiosity of light that is reflected at most so often on its way to the eye, at least once; -1: as often as
+    /// changes a double. Throws Error for another number, for an albedo that is not in [0, 1): light would never end,
+    /// for an emission that is not finite, and where 10,000 reflections still change doubles.
     Radiosity(std::vector<RadiosityPlate> plates, int n, int reflections = -1);
 
     /// The radiance that leaves plate.point(s, t), in every direction.
     [[nodiscard]] double radiance(std::size_t plate, double s, double t) const;
-    /// Its integral over the plate, of all reflections.
+    /// The integral of that radiance over the plate, of all reflections.
     [[nodiscard]] double integral(std::size_t plate) const;
 
 private:

@@ -45,7 +45,7 @@ RationalPolynomial derivative(const RationalPolynomial& p);
 RationalPolynomial antiderivative(const RationalPolynomial& p);  ///< the one that vanishes at 0
 Rational integral(const RationalPolynomial& p, const Rational& from, const Rational& to);
 
-/// As a person writes it, highest power first: "3/2 x^2 - x + 1".
+/// The polynomial as a person writes it, highest power first: "3/2 x^2 - x + 1".
 std::string to_string(const RationalPolynomial& p);
 
 }  // namespace plumb

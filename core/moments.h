@@ -12,7 +12,7 @@ namespace plumb {
 /// [Pébay 2008, eqs. 1.1–1.6]: no cancellation between a large mean and a small spread.
 class Moments {
 public:
-    /// Of a block, in two passes (mean, then powers of the differences from it) whose lanes become vectors.
+    /// Moments of a block in two passes, mean and then powers of the differences from it, whose lanes become vectors.
     static Moments of(std::span<const double> values) {
         Moments m;
         if (values.empty()) return m;

@@ -30,7 +30,7 @@ T russian_roulette(const T& q, const Value& value, Random& random) {
     return chance(q, random) ? T(value() / q) : T(0);
 }
 
-/// Its variance, for a value of this mean and variance: E Z² = (σ² + μ²)/q.
+/// The variance of russian_roulette() for a value of this mean and variance: E Z² = (σ² + μ²)/q.
 template <class T>
 T roulette_variance(const T& mean, const T& variance, const T& q) {
     return (variance + mean * mean) / q - mean * mean;

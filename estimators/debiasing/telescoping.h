@@ -71,7 +71,7 @@ TelescopingForecast forecast_single_term(Mean&& delta, Variance&& v, Cost&& c, c
     return forecast;
 }
 
-/// The same for the roulette sum; e_k² − e_{k+1}² = Δ_k (Δ_k + 2 e_{k+1}).
+/// The forecast of the roulette sum; e_k² − e_{k+1}² = Δ_k (Δ_k + 2 e_{k+1}).
 template <class Mean, class Variance, class Cost, class Pmf>
 TelescopingForecast forecast_roulette_sum(Mean&& delta, Variance&& v, Cost&& c, const Pmf& pmf, std::uint64_t terms) {
     TelescopingForecast forecast;

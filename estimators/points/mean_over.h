@@ -14,7 +14,7 @@ namespace plumb {
 template <int D>
 Estimate mean_over(const std::vector<Point<D>>& points, const Function<D>& f);
 
-/// The same for independent points, whose spread gives the standard error (infinite for one point).
+/// The mean of f over independent points, whose spread gives the standard error (infinite for one point).
 template <int D>
 Estimate mean_over_independent(const std::vector<Point<D>>& points, const Function<D>& f);
 

@@ -11,7 +11,8 @@ namespace plumb {
 
 /// The first n points of the (0,2)-sequence in base 2 of [Kollig & Keller 2002]: van der Corput's sequence and Sobol's
 /// second axis, by index. Every aligned run of 2^k points holds one point in each elementary interval of area 2^-k.
-/// Its runs are those of sobol_2d in another order: the two agree as sets where n is a power of two. n < 2^32.
+/// The runs are those of sobol_2d in another order: the two sequences agree as sets where n is a power of two. n <
+/// 2^32.
 std::vector<BinaryPoint<2>> zero_two_digits(std::uint64_t n);
 
 /// The sequence as it is, with random digit scrambling (what renderers use), and with nested uniform scrambling.

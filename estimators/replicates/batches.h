@@ -18,7 +18,7 @@ Estimate mean_of_batches(const IndependentRun& run, std::uint64_t n, std::uint64
 template <int D>
 Estimator<D> in_batches_of(std::string id, const Estimator<D>& estimator, std::uint64_t size);
 
-/// The same number of samples at every n, which is that of a batch: the mean of max(1, total/n) batches.
+/// An estimator whose n is the size of a batch: the mean of max(1, total/n) batches, about `total` samples at every n.
 template <int D>
 Estimator<D> batches_sharing(std::string id, const Estimator<D>& estimator, std::uint64_t total);
 

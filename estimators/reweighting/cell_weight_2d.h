@@ -25,7 +25,7 @@ struct BallMeasure {
     std::array<std::vector<double>, 2> jumps{{{0, 1}, {0, 1}}};
 };
 
-/// That of uniform samples: the area of the disk in the square.
+/// The measure of uniform samples: the area of the disk in the square.
 BallMeasure uniform_ball();
 
 /// g(x) by quadrature of the given order: along rays from x to the boundary, split where the ball along the ray touches
@@ -43,7 +43,7 @@ public:
     explicit CellWeightTable2D(std::uint64_t n, int nodes = 25);
 
     [[nodiscard]] double operator()(Point<2> x) const;
-    /// What |table(x) − g(x)| is below: four times the largest difference from a quadrature of higher order at 64
+    /// A bound of |table(x) − g(x)|: four times the largest difference from a quadrature of higher order at 64
     /// random places. Measured, not proved; voronoi_test holds table and quadrature to the midpoint rule.
     [[nodiscard]] double error() const { return error_; }
     /// The smallest and largest tabulated values.

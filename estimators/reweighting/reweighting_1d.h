@@ -26,7 +26,7 @@ std::vector<double> density_reweighted_weights_1d(std::span<const double> sample
                                                   const std::function<double(double)>& g,
                                                   const std::function<double(double)>& pdf);
 
-/// The same with the closed form of g for a piecewise-constant p.
+/// These weights with the closed form of g for a piecewise-constant p.
 std::vector<double> density_reweighted_weights_1d(std::span<const double> samples, const StepDensity& density);
 
 /// The trapezoidal rule on the samples and both ends [Yakowitz et al. 1978]: weights of the samples, then of 0 and

@@ -25,7 +25,7 @@ Estimate voronoi_estimate(const Function<2>& f, std::span<const Point<2>> sample
 /// because the weights sum to 1. Unbiased.
 Estimate torus_estimate(const Function<2>& f, std::span<const Point<2>> samples);
 
-/// The same for f∘φ, φ the tent map on each axis: continuous on the torus where f is continuous. Unbiased.
+/// The torus estimate of f∘φ, φ the tent map on each axis: continuous on the torus where f is continuous. Unbiased.
 Estimate torus_tent_estimate(const Function<2>& f, std::span<const Point<2>> samples);
 
 /// Torus weights on any samples moved by one uniform vector on the torus. Unbiased.

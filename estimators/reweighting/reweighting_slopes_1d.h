@@ -21,7 +21,7 @@ std::optional<Interval> clipped_slope_1d(const Integrand<1>& f);
 /// Clipped cells over their expected length: an end cell is off by a random factor of order 1, as at a jump of f from
 /// f(0), f(1) to 0.
 std::optional<Interval> divided_slope_1d(const Integrand<1>& f);
-/// The same for a density with steps inside, each of which acts as an end does.
+/// Clipped cells over their expected length under a density with steps, each of which acts as an end does.
 std::optional<Interval> stepped_density_slope_1d(const Integrand<1>& f);
 
 }  // namespace plumb

@@ -17,7 +17,7 @@ const std::vector<NamedDriver>& drivers() {
          }},
         {"frameless",
          "each pass draws some of the pixels of each tile, in random order",
-         "Bishop, Fuchs, McMillan & Scher Zagier 1994",
+         "[Bishop et al. 1994]",
          {{"pixel-share", "of a tile's pixels that a pass draws", Parameter::Real{0.25, 0.001, 1}}},
          [](const RenderJob&, const Parameters& parameters) -> std::unique_ptr<Driver> {
              return std::make_unique<Frameless>(parameters.real("pixel-share"));
