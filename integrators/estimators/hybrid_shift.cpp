@@ -1,12 +1,18 @@
 #include "integrators/estimators/hybrid_shift.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 
+#include "core/error.h"
 #include "integrators/paths/vertex.h"
 
 namespace plumb {
 
 std::unique_ptr<PathShift> PathTracer::shift() const {
+    if (next_event.bsdf_count != 1)
+        throw Error(fmt::format("the shift of `path` with {} samples of the BSDF a vertex; accepted is 1",
+                                next_event.bsdf_count));
     return std::make_unique<HybridShift>(*this);
 }
 
@@ -59,13 +65,14 @@ struct Shifting {
 Replayed Shifting::replay(const FilmRegion& region, std::size_t last) const {
     PathRecord& record = shifted.record;
     record.clear();
-    const CameraStart start = start_at_camera(scene, region, samples);
-    PathState state{.ray = start.ray, .from = start.ray.origin, .direction = start.ray.direction};
+    Draws draws(samples);
+    const CameraStart start = start_at_camera(scene, region, draws);
+    PathState state{.ray = start.ray, .direction = start.ray.direction};
     Replayed replayed{.film = start.film, .state = state};
     for (bool goes_on = true; goes_on && replayed.reached < last;) {
         replayed.state = state;
         const std::size_t first = record.splats.size();
-        goes_on = tracer().step(scene, start.film, state, samples, record);
+        goes_on = tracer().step(scene, start.film, state, draws, record);
         const bool escaped = record.vertices.size() == replayed.reached;
         if (replayed.state.pdf > 0 &&
             mapping.earlier(limits, record.vertices[replayed.reached - 1],
@@ -99,7 +106,8 @@ ShiftFailure Shifting::carry(PathState& state, const Spectrum& weight, double et
     if (is_black(state.throughput)) return ShiftFailure::no_density;
     if (state.vertex <= tracer().limits.roulette_edges) return ShiftFailure::none;
     const double survives = tracer().survival(state.throughput, state.eta_squared);
-    if (!survives_roulette(survives, number, samples, shifted.record)) return ShiftFailure::roulette;
+    Draws draws(samples);
+    if (!survives_roulette(survives, number, draws, shifted.record)) return ShiftFailure::roulette;
     state.throughput = state.throughput / survives;
     return ShiftFailure::none;
 }
@@ -119,7 +127,6 @@ void Shifting::connect(const Replayed& replayed) const {
     const double u = scene.has_masks() ? samples.at({static_cast<std::uint16_t>(k + 1), Use::shadow}).u[0] : 0;
     if (!reaches(scene, from, y, u, shifted.record.rays)) return fail(k, ShiftFailure::occluded);
     state.ray = leave(from.hit.point, y.direction);
-    state.from = from.hit.point.position;
     state.direction = y.direction;
     state.pdf = y.pdf;
     shifted.parts[k] = {mapping.density(y) / mapping.density(x)};
@@ -131,11 +138,10 @@ void Shifting::gather_at_connection(const Replayed& replayed, const Connection& 
     const std::size_t k = base.connection;
     const int edges = state.vertex;
     const std::optional<Hit> hit = edge.end ? std::optional(edge.end->hit) : std::nullopt;
-    add(replayed.film, state, met_light(scene, tracer().next_event, state, hit, shifted.record), edges, k);
+    add(replayed.film, state, met_light(scene, tracer().next_event, state, hit, 1, shifted.record), edges, k);
     if (!edge.end || !tracer().limits.allow(edges + 1)) return;
     add(replayed.film, state,
-        light_from_emitters(scene, *edge.end, state.vertex, LightTechniques::both, tracer().next_event, samples,
-                            shifted.record),
+        light_from_emitters(scene, *edge.end, state.vertex, tracer().next_event, Draws(samples), shifted.record),
         edges + 1, k);
 }
 
@@ -149,17 +155,25 @@ void Shifting::gather_beyond(const Replayed& replayed, const Connection& x, cons
     const Spectrum f = eval_bsdf(*y.end, onwards.direction, Transport::radiance);
     ShiftFailure why = carry(state, f / y.pdf_beyond, onwards.eta);
     const double jacobian = shifted.parts[base.connection].jacobian * (mapping.beyond(y) / mapping.beyond(x));
+    const auto weight_of_met = [&] {  // by the BSDF of the far end, which scatters to another side now
+        const auto& vertices = base.record.vertices;
+        const std::optional<Hit> hit = vertices.size() > first ? std::optional(vertices[first].hit) : std::nullopt;
+        return weight_of_bsdf(tracer().next_event, scene, *y.end, light_point(scene, hit, onwards.direction),
+                              y.pdf_beyond)
+            .weight;
+    };
     for (std::size_t part = first; part < base.parts; ++part) {
         if (why != ShiftFailure::none) return fail(part, why);
         shifted.parts[part] = {jacobian};
         for (const PathStory::Finding& finding : base.story.findings) {
             if (part_of(finding.strategy) != part) continue;
             const bool reweighted = part == first && finding.strategy.s == 0;
-            const double weight = reweighted ? tracer().next_event.weight(y.pdf_beyond, finding.rival) : finding.weight;
+            const double weight = reweighted ? weight_of_met() : finding.weight;
             add(replayed.film, state, finding.light * weight, finding.strategy.edges(), part);
         }
         if (part + 1 == base.parts) return;
-        const auto sample = sample_bsdf(base.record.vertices[part], state.vertex, samples, Transport::radiance);
+        Draws draws(samples);
+        const auto sample = sample_bsdf(base.record.vertices[part], {state.vertex}, draws, Transport::radiance);
         why = carry(state, sample->weight, sample->eta);
     }
 }
