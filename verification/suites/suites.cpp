@@ -52,6 +52,10 @@ Catalogue shipped_catalogue() {
     add_transport_radiosity_claims(catalogue);
     add_transport_sampler_claims(catalogue);
     add_transport_weight_claims(catalogue);
+    add_shift_jacobian_claims(catalogue);
+    add_shift_pair_claims(catalogue);
+    add_shift_replay_claims(catalogue);
+    add_shift_round_trip_claims(catalogue);
     add_compare_claims(catalogue);
     add_compare_render_claims(catalogue);
     return catalogue;

@@ -54,6 +54,10 @@ void add_transport_equal_claims(Catalogue& catalogue);
 void add_transport_radiosity_claims(Catalogue& catalogue);
 void add_transport_sampler_claims(Catalogue& catalogue);
 void add_transport_weight_claims(Catalogue& catalogue);
+void add_shift_jacobian_claims(Catalogue& catalogue);
+void add_shift_pair_claims(Catalogue& catalogue);
+void add_shift_replay_claims(Catalogue& catalogue);
+void add_shift_round_trip_claims(Catalogue& catalogue);
 void add_bsdf_model_claims(Catalogue& catalogue);  ///< every model against its own words
 void add_bsdf_term_claims(Catalogue& catalogue);   ///< Fresnel's and the microfacets' terms in multi-precision
 void add_compare_claims(Catalogue& catalogue);     ///< `plumb compare` on trial
