@@ -104,9 +104,11 @@ Spectrum light_from_direction(const Scene& scene, const PathVertex& vertex, Samp
 NextEvent with_counts(NextEvent next_event, const TechniqueCounts& counts) {
     if (next_event.lights.size() != 1)
         throw Error(fmt::format("a count for {} choices of lights; accepted is one", next_event.lights.size()));
-    if (counts.emitters < 0 || counts.bsdf < 0)
-        throw Error(fmt::format("{} samples of emitters and {} of the BSDF; accepted are 0 and more", counts.emitters,
-                                counts.bsdf));
+    constexpr int most = 255;  // a slot's sample is a byte
+    const auto accepted = [](int count) { return count >= 0 && count <= most; };
+    if (!accepted(counts.emitters) || !accepted(counts.bsdf))
+        throw Error(fmt::format("{} samples of emitters and {} of the BSDF; accepted are 0 to {}", counts.emitters,
+                                counts.bsdf, most));
     next_event.lights.front().count = counts.emitters;
     next_event.bsdf_count = counts.bsdf;
     return next_event;
@@ -137,7 +139,7 @@ Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::
                              const NextEvent& next_event, const Draws& of_vertex, PathRecord& record) {
     if (!vertex.bsdf.smooth()) return {};
     Spectrum sum;
-    std::uint16_t taken = 0;
+    std::uint8_t taken = 0;
     for (std::size_t k = 0; k < next_event.lights.size(); ++k)
         for (int i = 0; i < next_event.lights[k].count; ++i, ++taken)
             sum += light_from_emitter(scene, vertex, {{number, taken}, k}, next_event, of_vertex, record);
@@ -149,7 +151,7 @@ Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint
     Spectrum sum;
     for (int i = first; i < next_event.bsdf_count; ++i)
         sum +=
-            light_from_direction(scene, vertex, {number, static_cast<std::uint16_t>(i)}, next_event, of_vertex, record);
+            light_from_direction(scene, vertex, {number, static_cast<std::uint8_t>(i)}, next_event, of_vertex, record);
     return sum;
 }
 
