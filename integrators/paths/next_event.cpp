@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <numeric>
-
 #include "core/error.h"
 #include "integrators/paths/vertex.h"
 
@@ -22,8 +20,9 @@ struct Densities {
     }
     [[nodiscard]] std::span<const double> all() const { return {values.data(), count}; }
     [[nodiscard]] TechniqueWeight weight(MisWeight weight, std::size_t own) const {
-        const double sum = std::accumulate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count), 0.0);
-        return {weight(all(), own), count == 2 ? values[1 - own] : sum - values[own]};
+        double rivals = 0;
+        for (std::size_t i = 0; i < count; ++i) rivals += i == own ? 0 : values[i];
+        return {weight(all(), own), rivals};
     }
 };
 
@@ -68,7 +67,7 @@ Spectrum light_from_emitter(const Scene& scene, const PathVertex& vertex, const 
                      .rival = rivals,
                      .source = light->light,
                      .density = of_vertex.density() * draws.density()});
-    return f * light->sample.radiance * (weight * visible / (count * light->pdf)) / draws.density();
+    return f * light->sample.radiance * (weight * visible / (count * light->pdf)) * (1 / draws.density());
 }
 
 Spectrum light_from_direction(const Scene& scene, const PathVertex& vertex, SampleIndex index,
@@ -96,7 +95,7 @@ Spectrum light_from_direction(const Scene& scene, const PathVertex& vertex, Samp
                      .rival = rivals,
                      .source = point.light,
                      .density = of_vertex.density() * draws.density()});
-    return sample->weight * radiance * share / draws.density();
+    return sample->weight * radiance * share * (1 / draws.density());
 }
 
 }  // namespace
