@@ -25,17 +25,18 @@ enum class Use : std::uint8_t {
 };
 
 /// Which pair: the path's vertex (the sensor is 0; light subpaths count from 0x8000), what for, and for which sample,
-/// where the vertex takes several.
+/// where the vertex takes several. Four bytes, so that it goes in a register: `path` draws some ten a vertex.
 struct Slot {
     std::uint16_t vertex = 0;
     Use use = Use::film;
-    std::uint16_t sample = 0;
+    std::uint8_t sample = 0;
     friend auto operator<=>(const Slot&, const Slot&) = default;
 };
 
 /// Which sample of which vertex: 0 is the only one, or the path's own.
 struct SampleIndex {
-    std::uint16_t vertex, sample = 0;
+    std::uint16_t vertex;
+    std::uint8_t sample = 0;
 
     [[nodiscard]] constexpr Slot slot(Use use) const { return {vertex, use, sample}; }
 };

@@ -99,7 +99,7 @@ private:
         const double weight = weight_of(camera(t), light(s));
         if (weight == 0) return;
         const EmitterSample end{direction, distance, {}, 0, Measure::solid_angle, y.point};
-        const SampleIndex index{static_cast<std::uint16_t>(t - 1), static_cast<std::uint16_t>(s - 1)};
+        const SampleIndex index{static_cast<std::uint16_t>(t - 1), static_cast<std::uint8_t>(s - 1)};
         Draws draws(samples_);
         const double arrives = bdpt_.visibility->sample(scene_, x.point, end, index, draws, record_.rays);
         const double scale =

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <numeric>
-
 #include "core/error.h"
 #include "integrators/paths/vertex.h"
 
@@ -22,8 +20,9 @@ struct Densities {
     }
     [[nodiscard]] std::span<const double> all() const { return {values.data(), count}; }
     [[nodiscard]] TechniqueWeight weight(MisWeight weight, std::size_t own) const {
-        const double sum = std::accumulate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count), 0.0);
-        return {weight(all(), own), count == 2 ? values[1 - own] : sum - values[own]};
+        double rivals = 0;
+        for (std::size_t i = 0; i < count; ++i) rivals += i == own ? 0 : values[i];
+        return {weight(all(), own), rivals};
     }
 };
 
@@ -68,7 +67,7 @@ Spectrum light_from_emitter(const Scene& scene, const PathVertex& vertex, const 
                      .rival = rivals,
                      .source = light->light,
                      .density = of_vertex.density() * draws.density()});
-    return f * light->sample.radiance * (weight * visible / (count * light->pdf)) / draws.density();
+    return f * light->sample.radiance * (weight * visible / (count * light->pdf)) * (1 / draws.density());
 }
 
 Spectrum light_from_direction(const Scene& scene, const PathVertex& vertex, SampleIndex index,
@@ -96,7 +95,7 @@ Spectrum light_from_direction(const Scene& scene, const PathVertex& vertex, Samp
                      .rival = rivals,
                      .source = point.light,
                      .density = of_vertex.density() * draws.density()});
-    return sample->weight * radiance * share / draws.density();
+    return sample->weight * radiance * share * (1 / draws.density());
 }
 
 }  // namespace
@@ -104,9 +103,11 @@ Spectrum light_from_direction(const Scene& scene, const PathVertex& vertex, Samp
 NextEvent with_counts(NextEvent next_event, const TechniqueCounts& counts) {
     if (next_event.lights.size() != 1)
         throw Error(fmt::format("a count for {} choices of lights; accepted is one", next_event.lights.size()));
-    if (counts.emitters < 0 || counts.bsdf < 0)
-        throw Error(fmt::format("{} samples of emitters and {} of the BSDF; accepted are 0 and more", counts.emitters,
-                                counts.bsdf));
+    constexpr int most = 255;  // a slot's sample is a byte
+    const auto accepted = [](int count) { return count >= 0 && count <= most; };
+    if (!accepted(counts.emitters) || !accepted(counts.bsdf))
+        throw Error(fmt::format("{} samples of emitters and {} of the BSDF; accepted are 0 to {}", counts.emitters,
+                                counts.bsdf, most));
     next_event.lights.front().count = counts.emitters;
     next_event.bsdf_count = counts.bsdf;
     return next_event;
@@ -137,7 +138,7 @@ Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::
                              const NextEvent& next_event, const Draws& of_vertex, PathRecord& record) {
     if (!vertex.bsdf.smooth()) return {};
     Spectrum sum;
-    std::uint16_t taken = 0;
+    std::uint8_t taken = 0;
     for (std::size_t k = 0; k < next_event.lights.size(); ++k)
         for (int i = 0; i < next_event.lights[k].count; ++i, ++taken)
             sum += light_from_emitter(scene, vertex, {{number, taken}, k}, next_event, of_vertex, record);
@@ -149,7 +150,7 @@ Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint
     Spectrum sum;
     for (int i = first; i < next_event.bsdf_count; ++i)
         sum +=
-            light_from_direction(scene, vertex, {number, static_cast<std::uint16_t>(i)}, next_event, of_vertex, record);
+            light_from_direction(scene, vertex, {number, static_cast<std::uint8_t>(i)}, next_event, of_vertex, record);
     return sum;
 }
 

@@ -63,7 +63,7 @@ struct PathRecord {
     /// out too: the expectation of 1/q under q is 1, so that nothing but the variance changes.
     void add(const Splat& splat, double density) {
         splats.push_back(splat);
-        splats.back().value = splat.value / density;
+        splats.back().value *= 1 / density;
     }
     /// The next vertex from the sensor, found with numbers of this density.
     PathVertex& meet(const PathVertex& vertex, double density) {
