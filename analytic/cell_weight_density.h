@@ -14,7 +14,7 @@ namespace plumb {
 ///
 ///     g(x) = N/2 [ x (1 − F(x))^{N−1} + (1 − x) F(x)^{N−1} + ∫_0^1 (1 − |F(x) − F(z)|)^{N−1} dz ],
 ///
-/// F the distribution function. For F(z) = z this is eq. 4.6 of the thesis.
+/// F the distribution function. For F(z) = z this is [thesis, eq. 4.6].
 
 struct Density1D {
     std::function<double(double)> pdf, cdf;

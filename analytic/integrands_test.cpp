@@ -28,9 +28,9 @@ TEST(Integrands, the_pinned_answers_are_the_closed_forms) {
 }
 
 TEST(Integrands, answers_that_others_have_published) {
-    EXPECT_NEAR(find_integrand<1>("thesis-1d").integral_value(), 2.666127, 5e-7);                // thesis, sec. 4.5.1
-    EXPECT_NEAR(find_integrand<1>("keister").integral_value(), 1.380388447043143, 1e-15);        // QMCPy
-    EXPECT_NEAR(find_integrand<2>("keister-2d").integral_value(), 1.808186429263620, 1e-15);     // QMCPy
+    EXPECT_NEAR(find_integrand<1>("thesis-1d").integral_value(), 2.666127, 5e-7);             // [thesis, section 4.5.1]
+    EXPECT_NEAR(find_integrand<1>("keister").integral_value(), 1.380388447043143, 1e-15);     // QMCPy
+    EXPECT_NEAR(find_integrand<2>("keister-2d").integral_value(), 1.808186429263620, 1e-15);  // QMCPy
     EXPECT_NEAR(find_integrand<2>("gaussian-2d").integral_value(), 0.557746285351034, 1e-15);    // (√π/2 erf 1)²
     EXPECT_NEAR(find_integrand<1>("periodic-exp").integral_value(), 1.2660658777520084, 1e-15);  // I₀(1), DLMF 10.25
 }

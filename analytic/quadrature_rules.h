@@ -41,7 +41,7 @@ Rule<R> gauss_legendre(int n) {
 }
 
 /// The trapezoidal rule of this step after t = 1/(1 + exp(−π sinh s)), from t = 10^−digits to 1 − 10^−digits
-/// [Takahasi, Mori 1974].
+/// [Takahasi & Mori 1974].
 template <class R>
 Rule<R> tanh_sinh(int nodes_per_unit, double digits) {
     const R pi = formulas::pi<R>();

@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "cli/values.h"
+#include "core/error_target.h"
 
 namespace plumb::cli {
 namespace {

@@ -116,7 +116,7 @@ Catalogue sampler_catalogue(const SamplerTrial& trial, std::uint64_t seed, doubl
                    .statement = fmt::format("`{}` draws from the density {}.", trial.command, density.name),
                    .source = fmt::format("the command line: --sampler, --density {}", density.name),
                    .kind = Kind::distribution,
-                   .check =
+                   .trial =
                        [=](const Run& judging) {
                            Verdict verdict = chi_square_verdict(answer.counts, claim, judging.alpha(), judging.beta());
                            explain(verdict, density, answer);

@@ -17,18 +17,6 @@ std::chrono::duration<double> parse_duration(const std::string& text) {
     return std::chrono::duration<double>(value * scale);
 }
 
-ErrorTarget parse_error_target(const std::string& text) {
-    ErrorTarget target;
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), target.error);
-    const std::string_view unit(end, text.data() + text.size());
-    target.relative = unit == "%";
-    if (failure != std::errc() || !(unit.empty() || target.relative) || !(target.error > 0) ||
-        !std::isfinite(target.error))
-        throw Error(fmt::format("'{}' is not an error; accepted: 1e-3, or 1% of the value", text));
-    if (target.relative) target.error /= 100;
-    return target;
-}
-
 std::vector<double> parse_domain(const std::string& text) {
     std::vector<double> ends;
     std::string_view rest = text;
@@ -75,19 +63,6 @@ std::pair<std::string, std::string> parse_definition(const std::string& text) {
     if (equals == 0 || equals == std::string::npos)
         throw Error(fmt::format("'{}' is not a definition; accepted: name=value", text));
     return {text.substr(0, equals), text.substr(equals + 1)};
-}
-
-Shard parse_shard(const std::string& text) {
-    constexpr int most = 10'000;
-    Shard shard;
-    const char* end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, shard.index);
-    const bool slash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
-    const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.count) : first;
-    if (!slash || second.ec != std::errc() || second.ptr != end || shard.index < 1 || shard.index > shard.count ||
-        shard.count > most)
-        throw Error(fmt::format("'{}' is not a shard; accepted: i/n with 1 ≤ i ≤ n ≤ {}", text, most));
-    return shard;
 }
 
 }  // namespace plumb::cli

@@ -5,18 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/error_target.h"
-#include "core/shard.h"
-
 // What options say, read from text. Each throws Error, which names the text and what is accepted.
 namespace plumb::cli {
 
 /// "90", "90s", "1.5m", "2h".
 std::chrono::duration<double> parse_duration(const std::string& text);
-/// "2/3": the second of three.
-Shard parse_shard(const std::string& text);
-/// "1e-3" (absolute) or "1%" (relative).
-ErrorTarget parse_error_target(const std::string& text);
 /// "s,t": vertices from the light and from the sensor, s >= 0, t >= 1 and not both ends alone.
 std::vector<int> parse_strategy(const std::string& text);
 /// "x,y,width,height" in pixels.

@@ -7,13 +7,6 @@
 namespace plumb::cli {
 namespace {
 
-TEST(ParseShard, AcceptsAPartOfAWhole) {
-    EXPECT_EQ(parse_shard("2/3").index, 2);
-    EXPECT_EQ(parse_shard("2/3").count, 3);
-    for (const char* wrong : {"3/2", "0/2", "1/0", "1", "/2", "1/", "1/2/3", "-1/2", "1/10001", ""})
-        EXPECT_THROW(parse_shard(wrong), Error) << wrong;
-}
-
 TEST(ParseDuration, KnowsItsUnits) {
     EXPECT_EQ(parse_duration("90").count(), 90);
     EXPECT_EQ(parse_duration("1.5m").count(), 90);
@@ -21,15 +14,6 @@ TEST(ParseDuration, KnowsItsUnits) {
     EXPECT_THROW(parse_duration("-1s"), Error);
     EXPECT_THROW(parse_duration("1d"), Error);
     EXPECT_THROW(parse_duration("nan"), Error);
-}
-
-TEST(ParseErrorTarget, IsAbsoluteOrRelative) {
-    EXPECT_EQ(parse_error_target("1e-3").error, 1e-3);
-    EXPECT_FALSE(parse_error_target("1e-3").relative);
-    EXPECT_EQ(parse_error_target("2%").error, 0.02);
-    EXPECT_TRUE(parse_error_target("2%").relative);
-    for (const char* bad : {"", "%", "0", "-1", "nan", "inf", "1e-3x", "1%%", "1 %"})
-        EXPECT_THROW(parse_error_target(bad), Error) << bad;
 }
 
 TEST(ParseStrategy, CountsVerticesFromBothEnds) {

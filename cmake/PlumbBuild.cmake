@@ -3,6 +3,7 @@
 #   plumb_library(NAME [SOURCES…] [DEPENDS targets…])   a folder's target plumb::NAME; without sources, of headers alone
 #     … [PRECOMPILED TARGET <HEADER>]                   whose sources include this slow header of a library
 #   plumb_test(NAME SOURCES… [DEPENDS targets…])      its unit tests, one executable, each test known to ctest
+#   plumb_claims(NAME FILES…)                         files of claims: folder/file.cpp defines add_folder_file(Catalogue&)
 #   plumb_heavy_sources(TARGET SOURCES… [DEPENDS targets…])   units of TARGET that need about 1 GB each to compile
 #
 # Compile time is a budget (2 cores): one precompiled header for the libraries, one for the tests, and a ninja pool
@@ -13,6 +14,8 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_CXX_FLAGS_DEBUG "-Og -g1")
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+# For its warnings: the linker sees all units at once, and with them two types or declarations of one name.
+set(CMAKE_CXX_FLAGS_LTO "-O1 -DNDEBUG -flto=auto -Werror=odr -Werror=lto-type-mismatch")
 set_property(GLOBAL PROPERTY JOB_POOLS heavy=1)
 
 include(GNUInstallDirs)
@@ -46,7 +49,7 @@ if(PLUMB_COPIES_IN_WORDS)
   target_compile_options(plumb_options INTERFACE ${PLUMB_WORD_COPIES})
 endif()
 find_program(PLUMB_LLD ld.lld)
-if(PLUMB_LLD)
+if(PLUMB_LLD AND NOT CMAKE_BUILD_TYPE STREQUAL "Lto")   # which knows no GCC's intermediate code
   target_link_options(plumb_options INTERFACE -fuse-ld=lld)
 endif()
 if(PLUMB_SANITIZE)
@@ -100,6 +103,34 @@ function(plumb_test name)
   plumb_precompiled_headers(${name} plumb_test_pch LIBRARY GTest::gmock HEADERS <gtest/gtest.h> <gmock/gmock.h>)
   include(GoogleTest)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
+endfunction()
+
+# Compiles files of claims and writes catalogue.cpp: shipped_catalogue(), which calls each of them in the order given. A
+# claim in a new file costs the file and its line here.
+function(plumb_claims name)
+  set(declarations "")
+  set(calls "")
+  foreach(file IN LISTS ARGN)
+    target_sources(plumb_${name} PRIVATE "${file}.cpp")
+    string(MAKE_C_IDENTIFIER "add_${file}" add)
+    string(APPEND declarations "void ${add}(Catalogue& catalogue);\n")
+    string(APPEND calls "    ${add}(catalogue);\n")
+  endforeach()
+  set(catalogue "${CMAKE_CURRENT_BINARY_DIR}/catalogue.cpp")
+  file(CONFIGURE OUTPUT "${catalogue}" @ONLY CONTENT [[
+#include "verification/suites/suites.h"
+
+namespace plumb::suites {
+
+@declarations@
+Catalogue shipped_catalogue() {
+    Catalogue catalogue;
+@calls@    return catalogue;
+}
+
+}  // namespace plumb::suites
+]])
+  target_sources(plumb_${name} PRIVATE "${catalogue}")
 endfunction()
 
 # Units that need much memory (CGAL) become part of a target, compiled one at a time and without the precompiled header:

@@ -17,7 +17,7 @@ Scene::Scene(description::Scene description)
     : description_(std::move(description)),
       ball_(ball_around(description_.shapes)),
       embree_(description_.shapes),
-      materials_(description_),
+      materials_(description_.materials, description_.textures),
       sensor_(description_.sensor.value_or(description::Sensor())) {
     std::vector<std::optional<std::size_t>> of_shape(description_.shapes.size());
     for (std::size_t i = 0; i < of_shape.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scenes/bsdfs/materials.h"
+#include "scenes/description.h"
 #include "scenes/emitters/light_chooser.h"
 #include "scenes/emitters/lights.h"
 #include "scenes/geometry/embree_scene.h"

@@ -91,17 +91,21 @@ std::uint64_t samples_within(std::uint64_t evaluations, const Estimator<D>& esti
 template std::uint64_t samples_within<1>(std::uint64_t, const Estimator<1>&, const Integrand<1>&, const Run&);
 template std::uint64_t samples_within<2>(std::uint64_t, const Estimator<2>&, const Integrand<2>&, const Run&);
 
+reports::FigureResult measure_figure(const Study& study, const FigurePlan& plan, const Run& run,
+                                     const std::function<void(const std::string&)>& progress) {
+    reports::FigureResult figure{plan.about, {}};
+    for (const std::string& id : plan.integrands)
+        figure.panels.push_back(
+            knows_integrand<1>(id)   ? measure_panel(study, plan, find_integrand<1>(id), run, progress)
+            : knows_integrand<2>(id) ? measure_panel(study, plan, find_integrand<2>(id), run, progress)
+                                     : measure_scene_panel(plan, id, run, progress));
+    return figure;
+}
+
 std::vector<reports::FigureResult> measure_study(const Study& study, const Run& run,
                                                  const std::function<void(const std::string&)>& progress) {
     std::vector<reports::FigureResult> figures;
-    for (const FigurePlan& plan : study.figures) {
-        reports::FigureResult& figure = figures.emplace_back(reports::FigureResult{plan.about, {}});
-        for (const std::string& id : plan.integrands)
-            figure.panels.push_back(
-                knows_integrand<1>(id)   ? measure_panel(study, plan, find_integrand<1>(id), run, progress)
-                : knows_integrand<2>(id) ? measure_panel(study, plan, find_integrand<2>(id), run, progress)
-                                         : measure_scene_panel(plan, id, run, progress));
-    }
+    for (const FigurePlan& plan : study.figures) figures.push_back(measure_figure(study, plan, run, progress));
     return figures;
 }
 

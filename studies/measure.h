@@ -21,6 +21,10 @@ template <int D>
 std::uint64_t samples_within(std::uint64_t evaluations, const Estimator<D>& estimator, const Integrand<D>& integrand,
                              const Run& run);
 
+/// One of the study's figures, measured; `progress` is told what comes next.
+reports::FigureResult measure_figure(const Study& study, const FigurePlan& plan, const Run& run,
+                                     const std::function<void(const std::string& what)>& progress);
+
 /// Every figure of a study, measured; `progress` is told what comes next.
 std::vector<reports::FigureResult> measure_study(const Study& study, const Run& run,
                                                  const std::function<void(const std::string& what)>& progress);

@@ -43,29 +43,29 @@ struct Judges<std::function<Verdict(Subject, const Run&)>> {
 
 }  // namespace detail
 
-/// The type of the second-to-last word in Verdict(const Subject&, const Run&) or Verdict(const Subject&).
+/// What a check judges: Subject of Verdict(const Subject&, const Run&) or Verdict(const Subject&).
 template <class CheckOfSubject>
 using SubjectOf = typename detail::Judges<decltype(std::function{std::declval<CheckOfSubject>()})>::type;
 
 /// A subject is judged and judges nothing: were it a check itself, a mutant could be refuted by another than the
 /// claim's.
 template <class Subject>
-concept Judgeable = std::copy_constructible<Subject> && !std::same_as<Subject, Verdict> &&
-                    !std::is_invocable_r_v<Verdict, const Subject&, const Run&> &&
-                    !std::is_invocable_r_v<Verdict, const Subject&>;
+concept Judgeable =
+    std::copy_constructible<Subject> && !std::same_as<Subject, Verdict> &&
+    !std::is_invocable_r_v<Verdict, const Subject&, const Run&> && !std::is_invocable_r_v<Verdict, const Subject&>;
 
-/// A wrong subject before the claim's own check: only a Trial makes one.
+/// A wrong subject before the check of its claim. Only a Trial makes one.
 class Mutant {
 public:
     std::string id, defect;  ///< those of the Wrong
 
-    /// Of a mutant that judges by a check of its own: for claims that do not name their subjects.
-    Mutant(std::string name, std::string sentence, Check check)
-        : id(std::move(name)), defect(std::move(sentence)), check_(std::move(check)) {}
-
     [[nodiscard]] Verdict judge(const Run& run) const { return check_(run); }
 
 private:
+    friend class Trial;
+    Mutant(std::string name, std::string sentence, Check check)
+        : id(std::move(name)), defect(std::move(sentence)), check_(std::move(check)) {}
+
     Check check_;
 };
 
@@ -74,12 +74,13 @@ class Trial {
 public:
     Trial() = default;
 
-    /// Of a check without a subject: there is nothing that a mutant could replace.
+    /// A check that has no subject, so that there is nothing that a mutant could replace.
     template <class CheckAlone>
-        requires std::is_invocable_r_v<Verdict, const CheckAlone&, const Run&>
-    Trial(CheckAlone check) : right_(std::move(check)) {}
+    requires std::is_invocable_r_v<Verdict, const CheckAlone&, const Run&> Trial(CheckAlone check)
+        : right_(std::move(check)) {}
 
-    /// Of a check Verdict(const Subject&, const Run&) or Verdict(const Subject&). Subjects are kept by value.
+    /// A check Verdict(const Subject&, const Run&) or Verdict(const Subject&) and what it judges. Subjects are kept by
+    /// value.
     template <class CheckOfSubject>
     Trial(CheckOfSubject check, SubjectOf<CheckOfSubject> right,
           std::vector<Wrong<SubjectOf<CheckOfSubject>>> wrong = {})
@@ -88,7 +89,7 @@ public:
                       "A subject that is a check itself would let a mutant be refuted by another check than its "
                       "claim's: pass what the check is to judge.");
         for (auto& [id, defect, subject] : wrong)
-            mutants_.push_back({std::move(id), std::move(defect), bound(check, std::move(subject))});
+            mutants_.push_back(Mutant(std::move(id), std::move(defect), bound(check, std::move(subject))));
     }
 
     /// The verdict on the right subject.
@@ -97,9 +98,6 @@ public:
     [[nodiscard]] explicit operator bool() const { return static_cast<bool>(right_); }
 
 private:
-    friend class Catalogue;
-    Trial(Check right, std::vector<Mutant> mutants) : right_(std::move(right)), mutants_(std::move(mutants)) {}
-
     template <class CheckOfSubject, class Subject>
     static Check bound(CheckOfSubject check, Subject subject) {
         return [check = std::move(check), subject = std::move(subject)](const Run& run) -> Verdict {

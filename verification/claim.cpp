@@ -18,8 +18,7 @@ void Catalogue::add(Claim claim) {
     };
     if (claim.id.empty() || claim.statement.empty() || claim.source.empty())
         fail("a claim needs an id, a statement and a source");
-    if (claim.check) claim.trial = Trial(std::move(claim.check), std::move(claim.mutants));
-    if (!claim.trial) fail("a claim needs a check");
+    if (!claim.trial) fail("a claim needs a trial");
     const std::vector<Mutant>& mutants = claim.trial.mutants();
     if (mutants.empty() == claim.no_mutant.empty())
         fail("a claim has mutants, or says why none is possible, and not both");

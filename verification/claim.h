@@ -16,9 +16,7 @@ struct Claim {
     std::string statement = {};
     std::string source = {};  ///< paper and equation, or "ours" with the file that derives it
     Kind kind = Kind::exact;
-    Trial trial = {};  ///< the check, the right subject and the wrong ones
-    Check check = {};  ///< in place of a trial, with mutants that judge by checks of their own
-    std::vector<Mutant> mutants = {};
+    Trial trial = {};            ///< the check, the right subject and the wrong ones
     std::string no_mutant = {};  ///< why no mutant is possible; required exactly when there is none
     double weight = 1;           ///< of its share of the false-alarm budget; exact and bounded claims take none
     Sizes sizes = Sizes::both;

@@ -13,31 +13,28 @@
 namespace plumb {
 namespace {
 
-Check uniform_mean(double reference) {
-    return [reference](const Run& run) {
-        const auto draw = [](RandomStream& random) { return random.uniform(); };
-        return mean_is(draw, {.reference = reference, .delta = 0.02, .bounds = {0, 1}}, run);
-    };
+Verdict uniform_mean(double reference, const Run& run) {
+    const auto draw = [](RandomStream& random) { return random.uniform(); };
+    return mean_is(draw, {.reference = reference, .delta = 0.02, .bounds = {0, 1}}, run);
 }
 
-Claim claim(std::string id, Check check) {
+Claim claim(std::string id, Verdict (*check)(double, const Run&) = uniform_mean) {
     return {.id = std::move(id),
             .statement = "a statement",
             .source = "ours",
             .kind = Kind::mean,
-            .check = std::move(check),
-            .mutants = {{"shifted", "the mean is 5 % off", uniform_mean(0.55)}}};
+            .trial = {check, 0.5, {{"shifted", "the mean is 5 % off", 0.55}}}};
 }
 
 Catalogue toy() {
     Catalogue catalogue;
-    catalogue.add(claim("toy/uniform/mean", uniform_mean(0.5)));
-    catalogue.add(claim("toy/other/mean", uniform_mean(0.5)));
+    catalogue.add(claim("toy/uniform/mean"));
+    catalogue.add(claim("toy/other/mean"));
     catalogue.add({.id = "sum/exact",
                    .statement = "1 + 1 = 2",
                    .source = "ours",
                    .kind = Kind::exact,
-                   .check = [](const Run&) { return exactly(1 + 1 == 2, 1, "equal"); },
+                   .trial = [](const Run&) { return exactly(1 + 1 == 2, 1, "equal"); },
                    .no_mutant = "arithmetic"});
     return catalogue;
 }
@@ -74,7 +71,8 @@ TEST(Judge, APatternWithoutAMatchIsAnError) {
 
 TEST(Judge, ACheckThatThrowsIsUndecided) {
     Catalogue catalogue;
-    catalogue.add(claim("toy/throws", [](const plumb::Run&) -> Verdict { throw std::runtime_error("out of luck"); }));
+    catalogue.add(
+        claim("toy/throws", [](double, const plumb::Run&) -> Verdict { throw std::runtime_error("out of luck"); }));
     const std::vector<Judged> judged = judge(catalogue, {}, silent);
     EXPECT_EQ(judged[0].verdict.outcome, Outcome::undecided);
     EXPECT_THAT(judged[0].verdict.reason, testing::HasSubstr("out of luck"));
@@ -83,7 +81,7 @@ TEST(Judge, ACheckThatThrowsIsUndecided) {
 // A claim whose every draw takes a while, and one that is quick.
 Catalogue slow_and_quick(std::chrono::milliseconds draw_time) {
     Catalogue catalogue = toy();
-    const Check slow = [draw_time](const plumb::Run& run) {
+    const auto slow = [draw_time](const plumb::Run& run) {
         const auto draw = [draw_time](RandomStream& random) {
             std::this_thread::sleep_for(draw_time);
             return random.uniform();
@@ -94,7 +92,7 @@ Catalogue slow_and_quick(std::chrono::milliseconds draw_time) {
                    .statement = "It takes its time.",
                    .source = "ours",
                    .kind = Kind::mean,
-                   .check = slow,
+                   .trial = slow,
                    .no_mutant = "a test"});
     return catalogue;
 }
@@ -149,9 +147,9 @@ TEST(Catalogue, SharesAlphaAmongStatisticalClaims) {
 
 TEST(Catalogue, RefusesAClaimWithoutMutantOrReason) {
     Catalogue catalogue = toy();
-    EXPECT_THROW(catalogue.add(claim("toy/uniform/mean", uniform_mean(0.5))), std::logic_error);  // id taken
-    Claim bare = claim("toy/bare", uniform_mean(0.5));
-    bare.mutants.clear();
+    EXPECT_THROW(catalogue.add(claim("toy/uniform/mean")), std::logic_error);  // id taken
+    Claim bare = claim("toy/bare");
+    bare.trial = {uniform_mean, 0.5};
     EXPECT_THROW(catalogue.add(bare), std::logic_error);
 }
 

@@ -13,7 +13,7 @@ struct Step : Formula1D {
                 .smoothness = Smoothness::jump,
                 .periodic_smoothness = Smoothness::jump,
                 .bounds = {0, 1},
-                .source = "ours, after the 2D step of Christensen et al. 2018",
+                .source = "ours, after the 2D step of [Christensen et al. 2018]",
                 .derivation = "the length 1/pi; f^2 = f"};
     }
     template <class R>
@@ -41,7 +41,7 @@ struct Step2D : Formula2D {
                 .smoothness = Smoothness::jump,
                 .periodic_smoothness = Smoothness::jump,
                 .bounds = {0, 1},
-                .source = "Christensen et al. 2018, step function",
+                .source = "[Christensen et al. 2018], step function",
                 .derivation = "the area 1/pi; f^2 = f"};
     }
     template <class R>
@@ -69,7 +69,7 @@ struct QuarterDisk : Formula2D {
                 .smoothness = Smoothness::jump,
                 .periodic_smoothness = Smoothness::jump,
                 .bounds = {0, 1},
-                .source = "Christensen et al. 2018, disk function",
+                .source = "[Christensen et al. 2018], disk function",
                 .derivation = "a quarter of pi r^2 with r^2 = 2/pi < 1: 1/2; f^2 = f"};
     }
     template <class R>
@@ -103,7 +103,7 @@ struct Triangle : Formula2D {
                 .smoothness = Smoothness::jump,
                 .periodic_smoothness = Smoothness::jump,
                 .bounds = {0, 1},
-                .source = "Christensen et al. 2018, triangle function",
+                .source = "[Christensen et al. 2018], triangle function",
                 .derivation = "half the square; f^2 = f"};
     }
     template <class R>

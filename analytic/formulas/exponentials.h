@@ -59,7 +59,7 @@ struct Gaussian2D : Formula2D {
                 .smoothness = Smoothness::analytic,
                 .periodic_smoothness = Smoothness::jump,
                 .bounds = with_rounding(std::exp(-2.), 1),
-                .source = "Christensen et al. 2018, Gaussian function",
+                .source = "[Christensen et al. 2018], Gaussian function",
                 .derivation = "(sqrt(pi)/2 erf 1)^2 and (sqrt(pi/8) erf sqrt 2)^2"};
     }
     template <class R>

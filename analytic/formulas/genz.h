@@ -24,7 +24,7 @@ struct GenzParameters {
                 .smoothness = smoothness,
                 .periodic_smoothness = Smoothness::jump,
                 .bounds = bounds,
-                .source = "Genz 1984, Testing multidimensional integration routines",
+                .source = "[Genz 1984], Testing multidimensional integration routines",
                 .derivation = std::move(derivation)};
     }
     /// The product over the axes of factor(a_i, u_i).

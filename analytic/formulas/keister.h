@@ -37,7 +37,7 @@ struct Keister : Formula1D {
             .smoothness = Smoothness::jump,
             .periodic_smoothness = Smoothness::jump,
             .bounds = with_rounding(-1.7724538509055161, 1.7724538509055161),
-            .source = "Keister 1996, Multidimensional quadrature algorithms, D = 1",
+            .source = "[Keister 1996], Multidimensional quadrature algorithms, D = 1",
             .derivation = "the characteristic function of N(0, 1/2) at 1 and 2: sqrt(pi) e^{-1/4}; pi (1 + e^{-1})/2"};
     }
     template <class R>
@@ -66,7 +66,7 @@ struct Keister2D : Formula2D {
                 .smoothness = Smoothness::jump,
                 .periodic_smoothness = Smoothness::jump,
                 .bounds = with_rounding(-std::numbers::pi, std::numbers::pi),
-                .source = "Keister 1996, Multidimensional quadrature algorithms, D = 2",
+                .source = "[Keister 1996], Multidimensional quadrature algorithms, D = 2",
                 .derivation =
                     "int_0^inf 2 r e^{-r^2} cos(k r) dr = 1 - k F(k/2) by parts, F Dawson's integral: "
                     "pi (1 - F(1/2)); pi^2 (1 + 1 - 2 F(1))/2"};

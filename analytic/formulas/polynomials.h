@@ -98,7 +98,7 @@ struct Product : Formula2D {
                 .smoothness = Smoothness::analytic,
                 .periodic_smoothness = Smoothness::jump,
                 .bounds = {0, 1},
-                .source = "Christensen et al. 2018, bilinear function",
+                .source = "[Christensen et al. 2018], bilinear function",
                 .derivation = "(1/2)^2 and (1/3)^2"};
     }
     template <class R>

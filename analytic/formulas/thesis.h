@@ -4,7 +4,7 @@
 
 namespace plumb::formulas {
 
-/// The 1D function of the reweighting thesis, sec. 4.5.1: two quarter circles of radius 1/4, a trapezoid, three humps.
+/// The 1D function of [thesis, section 4.5.1]: two quarter circles of radius 1/4, a trapezoid, three humps.
 /// The radicands are factored: printed as −x² + x/2 and −x² + x − 0.1875, here manifestly not negative.
 struct Thesis : Formula1D {
     Description about() const {
@@ -16,7 +16,7 @@ struct Thesis : Formula1D {
                 .smoothness = Smoothness::root,
                 .periodic_smoothness = Smoothness::root,
                 .bounds = with_rounding(0, 10),
-                .source = "thesis (papers/001), sec. 4.5.1",
+                .source = "[thesis, section 4.5.1]",
                 .derivation =
                     "the quarter circles complement each other to the square 1/16, the trapezoid is 3/20, the "
                     "humps (1/10 + 1/4 + 1/2)/(5 pi): ten times is 17/8 + 17/(10 pi). Of f^2/100: the arcs 1/96 "

@@ -8,6 +8,7 @@
 #include "cli/values.h"
 #include "cli/verb.h"
 #include "core/error.h"
+#include "core/error_target.h"
 
 namespace plumb::cli::verbs {
 namespace {

@@ -13,6 +13,7 @@
 #include "cli/verb.h"
 #include "cli/verbs/outputs.h"
 #include "core/random.h"
+#include "core/shard.h"
 #include "core/version.h"
 #include "reports/run/store.h"
 

@@ -17,7 +17,7 @@ namespace plumb {
 // both with common random numbers. The roulette sum asks for differences 0, 1, …, K in this order, so that a caller
 // may keep prefix products or nested samples.
 //
-// Variance, for deterministic sequences [Rhee & Glynn 2015, thms 1 and 2], with e_k = I − I_k:
+// Variance, for deterministic sequences [Rhee & Glynn 2015, theorems 1 and 2], with e_k = I − I_k:
 //
 //   single term    Σ_k Δ_k² / P(K = k) − e_0²
 //   roulette sum   Σ_k (e_k² − e_{k+1}²) / P(K ≥ k) − e_0²

@@ -61,17 +61,17 @@ std::vector<Estimator<D>> importance_estimators() {
     return {
         {.id = "importance-linear",
          .summary = "Importance sampling with a density that rises linearly along each axis.",
-         .source = "Kahn & Marshall 1953",
+         .source = "[Kahn & Marshall 1953]",
          .run = [linear = techniques[1]](const Function<D>& f, std::uint64_t n,
                                          RandomStream& random) { return importance_sampling<D>(f, linear, n, random); },
          .expected_slope = independent_slope<D>},
         multi_sample<D>("mis-balance", "Uniform, linear and peaked sampling in equal shares, balance heuristic.",
-                        "Veach & Guibas 1995", Balance{}),
+                        "[Veach & Guibas 1995]", Balance{}),
         multi_sample<D>("mis-power", "Uniform, linear and peaked sampling in equal shares, power heuristic, beta = 2.",
-                        "Veach & Guibas 1995", Power{}),
+                        "[Veach & Guibas 1995]", Power{}),
         {.id = "mis-one-sample",
          .summary = "Uniform, linear or peaked sampling at random, balance heuristic.",
-         .source = "Veach 1997, section 9.2.4",
+         .source = "[Veach 1997, section 9.2.4]",
          .run =
              [techniques](const Function<D>& f, std::uint64_t n, RandomStream& random) {
                  const std::vector<double> probabilities(techniques.size(), 1);
@@ -86,7 +86,7 @@ std::vector<Estimator<D>> importance_estimators() {
          .expected_slope = independent_slope<D>},
         {.id = "roulette",
          .summary = "Uniform samples, each evaluated with probability 1/2 and then counted twice.",
-         .source = "Arvo & Kirk 1990",
+         .source = "[Arvo & Kirk 1990]",
          .run = [](const Function<D>& f, std::uint64_t n,
                    RandomStream& random) { return roulette<D>(f, 0.5, n, random); },
          .expected_slope = independent_slope<D>},

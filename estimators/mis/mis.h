@@ -13,10 +13,10 @@
 
 namespace plumb {
 
-// Weights of multiple importance sampling [Veach & Guibas 1995; Veach 1997, ch. 9]. Technique i takes n_i samples of
-// density p_i; its sample x gets the weight w_i(x), and Σ_i w_i(x) = 1 wherever some n_i p_i(x) > 0. A heuristic is a
-// function of r_i = n_i p_i / max_k n_k p_k in [0, 1]; the weights are its values, divided by their sum.
-// T is double, or a rational type for exact weights.
+// Weights of multiple importance sampling [Veach & Guibas 1995; Veach 1997, chapter 9]. Technique i takes n_i samples
+// of density p_i; its sample x gets the weight w_i(x), and Σ_i w_i(x) = 1 wherever some n_i p_i(x) > 0. A heuristic is
+// a function of r_i = n_i p_i / max_k n_k p_k in [0, 1]; the weights are its values, divided by their sum. T is double,
+// or a rational type for exact weights.
 
 /// w_i ∝ n_i p_i [Veach 1997, eq. 9.8].
 struct Balance {

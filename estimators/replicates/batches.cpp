@@ -21,10 +21,12 @@ Estimator<D> in_batches_of(std::string id, const Estimator<D>& estimator, std::u
         return mean_of_batches([&](std::uint64_t batch, RandomStream& r) { return run(f, batch, r); }, n,
                                std::max<std::uint64_t>(1, n / size), random);
     };
-    Estimator<D> batched{
-        std::move(id),           fmt::format("{}, in independent batches of about {}.", estimator.id, size),
-        "thesis, section 4.5.1", estimator.unbiased,
-        std::move(run),          {}};
+    Estimator<D> batched{std::move(id),
+                         fmt::format("{}, in independent batches of about {}.", estimator.id, size),
+                         "[thesis, section 4.5.1]",
+                         estimator.unbiased,
+                         std::move(run),
+                         {}};
     if (estimator.unbiased) batched.expected_slope = independent_slope<D>;
     return batched;
 }
@@ -38,10 +40,12 @@ Estimator<D> batches_sharing(std::string id, const Estimator<D>& estimator, std:
         return mean_of_batches([&](std::uint64_t batch, RandomStream& r) { return run(f, batch, r); }, batches * n,
                                batches, random);
     };
-    Estimator<D> shared{
-        std::move(id),           fmt::format("{}, {} samples in independent batches of n.", estimator.id, total),
-        "thesis, section 4.5.1", estimator.unbiased,
-        std::move(run),          {}};
+    Estimator<D> shared{std::move(id),
+                        fmt::format("{}, {} samples in independent batches of n.", estimator.id, total),
+                        "[thesis, section 4.5.1]",
+                        estimator.unbiased,
+                        std::move(run),
+                        {}};
     if (estimator.unbiased && estimator.expected_slope)  // the variance of a batch, divided by total/n
         shared.expected_slope = [slope = estimator.expected_slope](const Integrand<D>& f) -> std::optional<Interval> {
             const std::optional<Interval> one = slope(f);

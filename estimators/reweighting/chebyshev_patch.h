@@ -9,7 +9,7 @@
 namespace plumb {
 
 /// A function on a rectangle by its values at count × count Chebyshev points (of the second kind, the boundary
-/// included), interpolated by polynomials in barycentric form [Berrut and Trefethen 2004, eq. 5.4]. count ≥ 2.
+/// included), interpolated by polynomials in barycentric form [Berrut & Trefethen 2004, eq. 5.4]. count ≥ 2.
 class ChebyshevPatch {
 public:
     ChebyshevPatch(const Rectangle& box, int count, const std::function<double(const Point<2>&)>& f);

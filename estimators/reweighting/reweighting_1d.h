@@ -9,7 +9,7 @@
 
 namespace plumb {
 
-/// Sample weights whose weighted sum of f estimates ∫_0^1 f without bias [thesis, chapter 4, and methods of ours]. All
+/// Sample weights whose weighted sum of f estimates ∫_0^1 f without bias [thesis, chapter 4] and methods of ours. All
 /// take the samples in any order, return weights in that order, and throw as voronoi_weights_1d does. The torus's cells
 /// (cells_1d.h) need no such correction. Unlike plain cells, these weights need not sum to 1.
 

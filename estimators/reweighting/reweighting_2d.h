@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-// Integrals over the unit square from samples weighted by their Voronoi cells [thesis, chapter 4; the torus is ours].
+// Integrals over the unit square from samples weighted by their Voronoi cells [thesis, chapter 4], the torus ours.
 // All take any samples in any order; NaN, infinities, points outside the square and empty sets throw Error. Cells are
 // dependent, so one set has no standard error: that comes from independent sets (replicates.h).
 

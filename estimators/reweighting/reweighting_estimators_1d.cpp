@@ -66,9 +66,9 @@ std::vector<Estimator<1>> reweighting_estimators_1d() {
     const RunOn stratified_torus = cells(jittered_samples_1d, torus_weights_1d);
     const RunOn voronoi = cells(independent_samples_1d, voronoi_weights_1d);
     return {
-        {"voronoi", "Independent samples weighted with their Voronoi cells, clipped to [0,1].", "thesis, eq. 4.4",
+        {"voronoi", "Independent samples weighted with their Voronoi cells, clipped to [0,1].", "[thesis, eq. 4.4]",
          false, voronoi, clipped_slope_1d},
-        {"reweighted", "Independent samples, Voronoi cells over their expected length g.", "thesis, eq. 4.8", true,
+        {"reweighted", "Independent samples, Voronoi cells over their expected length g.", "[thesis, eq. 4.8]", true,
          reweighted, divided_slope_1d},
         {"torus", "Independent samples weighted with their cells on the circle.",
          "ours, estimators/reweighting/cells_1d.h", true, torus, torus_slope_1d},
@@ -85,10 +85,10 @@ std::vector<Estimator<1>> reweighting_estimators_1d() {
         {"stratified-torus-tent",
          "One jittered sample a stratum, cells on the circle, the integrand folded by the tent map.",
          "ours, estimators/reweighting/tent.h", true, folded(stratified_torus), tent_slope_1d},
-        {"yakowitz-trapezoid", "The trapezoidal rule on independent samples and both ends.", "Yakowitz et al. 1978",
+        {"yakowitz-trapezoid", "The trapezoidal rule on independent samples and both ends.", "[Yakowitz et al. 1978]",
          false, run_trapezoid, clipped_slope_1d},
         {"yakowitz-nearest", "The nearest-neighbour rule on independent samples; in one dimension the same as voronoi.",
-         "Yakowitz et al. 1978", false, voronoi, clipped_slope_1d},
+         "[Yakowitz et al. 1978]", false, voronoi, clipped_slope_1d},
         {"warp-reweighted", "Reweighting in the primary sample of the density p(x) = 1/2 + x.",
          "ours, estimators/reweighting/warp.h", true, through_ramp(reweighted), divided_slope_1d},
         {"warp-torus-tent", "Torus and tent in the primary sample of the density p(x) = 1/2 + x.",

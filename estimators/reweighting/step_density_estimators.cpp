@@ -35,7 +35,7 @@ Estimator<1> step_strata_estimator(std::string id, StepDensity density) {
     };
     return {std::move(id),
             "Samples of a piecewise-constant density, fixed counts a piece, each piece reweighted by itself.",
-            "thesis, section 4.4.4",
+            "[thesis, section 4.4.4]",
             true,
             std::move(run),
             stepped_density_slope_1d};

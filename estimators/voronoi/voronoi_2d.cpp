@@ -121,7 +121,7 @@ double signed_area(const std::vector<Vector>& polygon) {
     return twice / 2;
 }
 
-/// Keeps the part of the polygon where outside(v) ≤ 0; outside is affine [Sutherland and Hodgman 1974].
+/// Keeps the part of the polygon where outside(v) ≤ 0; outside is affine [Sutherland & Hodgman 1974].
 template <class Outside>
 void clip(std::vector<Vector>& polygon, std::vector<Vector>& scratch, Outside outside) {
     scratch.clear();

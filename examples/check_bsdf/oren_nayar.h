@@ -15,7 +15,7 @@ struct Colour {
     double r, g, b;
 };
 
-/// [Oren and Nayar 1994, the qualitative model]: sigma is the standard deviation of the facets' slopes in radians.
+/// [Oren & Nayar 1994, the qualitative model]: sigma is the standard deviation of the facets' slopes in radians.
 struct OrenNayar {
     Colour albedo{0.8, 0.6, 0.4};
     double sigma = 0.35;

@@ -28,8 +28,7 @@ void plumb::register_claims(plumb::Catalogue& catalogue) {
                    .statement = "Four times the hits of a quarter disk have the mean pi.",
                    .source = "Buffon's heirs",
                    .kind = plumb::Kind::mean,
-                   .check = [](const plumb::Run& run) { return has_mean_pi(four_quarters, run); },
-                   .mutants = {{.id = "one-number-for-two",
-                                .defect = "x and y are the same random number",
-                                .check = [](const plumb::Run& run) { return has_mean_pi(on_the_diagonal, run); }}}});
+                   .trial = {has_mean_pi,
+                             four_quarters,
+                             {{"one-number-for-two", "x and y are the same random number", on_the_diagonal}}}});
 }

@@ -13,7 +13,7 @@ struct DrawnPixels {
 };
 
 /// Frameless rendering: a pass draws some of the pixels of each tile in random order, and takes samples of these alone
-/// [Bishop, Fuchs, McMillan & Scher Zagier 1994]. A pixel is drawn with probability k/n, and its samples are divided by
+/// [Bishop et al. 1994]. A pixel is drawn with probability k/n, and its samples are divided by
 /// it: each pass is unbiased. Which ones, is a function of (seed, pass, tile).
 struct Frameless final : Driver {
     double share;  ///< of a tile's pixels, in (0, 1]; rounded to whole pixels, at least one

@@ -4,37 +4,9 @@
 
 namespace plumb {
 
-namespace {
-
 using Source = PathClass::Source;
 
-// Which kinds of scattering a material has by itself; of two-sided ones and masks, the nested materials say it.
-struct Scatters {
-    bool smoothly = false, by_mirror = false;
-};
-Scatters scattering(const description::Diffuse&) {
-    return {true, false};
-}
-Scatters scattering(const description::Conductor& conductor) {
-    return {conductor.roughness.has_value(), !conductor.roughness};
-}
-Scatters scattering(const description::Dielectric& dielectric) {
-    return {dielectric.roughness.has_value(), !dielectric.roughness};
-}
-Scatters scattering(const description::Plastic& plastic) {
-    return {true, !plastic.roughness};
-}
-Scatters scattering(const description::TwoSided&) {
-    return {};
-}
-Scatters scattering(const description::Mask&) {
-    return {};
-}
-
-Source kind_of(const Light& light) {
-    if (is_environment(light)) return Source::environment;
-    return std::holds_alternative<PointLight>(light) ? Source::point : Source::surface;
-}
+namespace {
 
 // Whether the light can be hit, and whether it can be sampled from the last vertex.
 bool met(const PathClass& path) {
@@ -55,7 +27,7 @@ std::string to_string(const PathClass& path) {
 std::vector<PathClass> path_classes(const Scene& scene, int edges) {
     Scatters some;
     for (const description::Material& material : scene.description().materials) {
-        const Scatters one = std::visit([](const auto& kind) { return scattering(kind); }, material.kind);
+        const Scatters one = std::visit([](const auto& kind) { return kind.scatters(); }, material.kind);
         some = {some.smoothly || one.smoothly, some.by_mirror || one.by_mirror};
     }
     std::vector<Source> sources;

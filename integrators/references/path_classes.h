@@ -10,7 +10,7 @@ namespace plumb {
 
 /// Paths that an integrator can make all or none of. The lens, pinhole or not, is on no surface: nothing hits it.
 struct PathClass {
-    enum class Source { surface, point, environment };
+    using Source = EmitterKind;
 
     std::vector<bool> mirrors;  ///< of each surface vertex from the sensor on, whether a mirror or smooth interface
                                 ///< scatters there (their directions have no density), or the rest of a material

@@ -91,7 +91,7 @@ ClaimResult mean_claim(std::string id, std::string statement, double bias, doubl
     const Interval around{bias - delta / 2, bias + delta / 2};
     return {.id = std::move(id),
             .statement = std::move(statement),
-            .source = "ours, docs/statistics.md; decides [Author 2024, A.2]",
+            .source = "ours, docs/statistics.md; decides [thesis, appendix A.2]",
             .kind = Kind::mean,
             .verdict = {.outcome = outcome,
                         .statistic = bias / (delta / 6),
@@ -114,7 +114,7 @@ ClaimResult mean_claim(std::string id, std::string statement, double bias, doubl
 ClaimResult exact_claim(std::string id, std::string statement) {
     return {.id = std::move(id),
             .statement = std::move(statement),
-            .source = "[Author 2024, eq. 4.6]",
+            .source = "[thesis, eq. 4.6]",
             .kind = Kind::exact,
             .verdict = {.outcome = Outcome::holds,
                         .deviation = {0, 0},
@@ -223,10 +223,10 @@ Results sample_results() {
                            "the clipped weights are claimed \"unbiased\"", 2.4e-4, true),
                     mutant("mis/one-sample/distribution", "swapped", "the two probabilities are exchanged", 1.1e-4,
                            false)},
-        .errata = {{"Author 2024, A.2", "The periodic scheme is biased.",
+        .errata = {{"[thesis, appendix A.2]", "The periodic scheme is biased.",
                     "It is unbiased for every N and D: the law of a cell does not depend on where its sample lies.",
                     "reweighting/torus/unbiased"},
-                   {"Author 2024, Section 4.3", "The MSE falls as N^(−4/D) for reweighting by g.",
+                   {"[thesis, section 4.3]", "The MSE falls as N^(−4/D) for reweighting by g.",
                     "It falls as N⁻² in 1D when f does not vanish at the ends.", "reweighting/torus-tent/rate"}},
         .series = {exact_series()}};
     for (ClaimResult& claim : mis_claims()) results.claims.push_back(std::move(claim));

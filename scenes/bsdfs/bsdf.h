@@ -2,20 +2,14 @@
 
 #include <variant>
 
-#include "scenes/bsdfs/conductor.h"
-#include "scenes/bsdfs/dielectric.h"
-#include "scenes/bsdfs/diffuse.h"
-#include "scenes/bsdfs/plastic.h"
-#include "scenes/bsdfs/roughconductor.h"
-#include "scenes/bsdfs/roughdielectric.h"
-#include "scenes/bsdfs/roughplastic.h"
+#include "scenes/bsdfs/all.h"
 
 namespace plumb {
 
 /// What a surface does to light at one point: the closure of numbers that a material becomes there
 /// (scenes/bsdfs/materials.h), under the conventions of scenes/bsdfs/bsdf_model.h.
 struct Bsdf {
-    using Model = std::variant<Diffuse, Conductor, Dielectric, RoughConductor, RoughDielectric, Plastic, RoughPlastic>;
+    using Model = description::OneOf<Closures>;
 
     Model model;
     bool two_sided = false;  ///< what the model does above, it does below, mirrored at the surface
@@ -36,7 +30,11 @@ struct Bsdf {
     }
     /// Whether it has a smooth part: what only mirrors needs no light to be sampled.
     [[nodiscard]] bool smooth() const {
-        return !std::holds_alternative<Conductor>(model) && !std::holds_alternative<Dielectric>(model);
+        return std::visit([](const auto& m) { return m.smooth; }, model);
+    }
+    /// The closure's plugin in Mitsuba's XML, e.g. "roughconductor".
+    [[nodiscard]] std::string_view name() const {
+        return std::visit([](const auto& m) { return m.name; }, model);
     }
 
 private:
@@ -47,13 +45,26 @@ private:
 static_assert(BsdfModel<Bsdf>);
 
 /// What a denoiser or a person takes for the surface's colour: the reflectance of what scatters, grey 1 for glass.
-Spectrum albedo(const Bsdf& bsdf);
+inline Spectrum albedo(const Bsdf& bsdf) {
+    return std::visit([](const auto& m) { return m.albedo(); }, bsdf.model);
+}
 
-/// The least roughness of the lobes of the smooth part, which a BsdfSample states of one: 1 of a diffuse one, 0 where
-/// there is no smooth part.
-double smooth_roughness(const Bsdf& bsdf);
+/// The least roughness of the lobes of the smooth part (NamedBsdfModel).
+inline double smooth_roughness(const Bsdf& bsdf) {
+    return std::visit([](const auto& m) { return m.roughness(); }, bsdf.model);
+}
 
-/// The index on wi's side over the index on wo's side, as a BsdfSample of the smooth part would state it.
-double eta_between(const Bsdf& bsdf, Vec3 wo, Vec3 wi);
+/// The index on wi's side over the index on wo's side, as a BsdfSample of the smooth part would state it; models that
+/// refract smoothly say it.
+inline double eta_between(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
+    return std::visit(
+        [&](const auto& m) {
+            if constexpr (requires { m.eta_between(wo, wi); })
+                return m.eta_between(wo, wi);
+            else
+                return 1.0;
+        },
+        bsdf.model);
+}
 
 }  // namespace plumb

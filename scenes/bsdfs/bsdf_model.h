@@ -3,6 +3,7 @@
 #include <array>
 #include <concepts>
 #include <optional>
+#include <string_view>
 
 #include "core/spectrum.h"
 #include "core/vec3.h"
@@ -51,6 +52,19 @@ concept BsdfModel = requires(const B& bsdf, Vec3 wo, Vec3 wi, const std::array<d
     { bsdf.sample(wo, u, transport) } -> std::same_as<std::optional<BsdfSample>>;
     /// The probability that sample(wo) takes a discrete lobe.
     { bsdf.discrete(wo) } -> std::same_as<double>;
+};
+
+/// A model that is one of ours, and so says what it is.
+template <class B>
+concept NamedBsdfModel = BsdfModel<B> && requires(const B& bsdf) {
+    { B::name } -> std::convertible_to<std::string_view>;
+    /// Whether it has a smooth part: what only mirrors needs no light to be sampled.
+    { B::smooth } -> std::convertible_to<bool>;
+    /// What a denoiser or a person takes for the surface's colour: the reflectance of what scatters, grey 1 for glass.
+    { bsdf.albedo() } -> std::same_as<Spectrum>;
+    /// The least roughness of the lobes of the smooth part, which a BsdfSample states of one: 1 of a diffuse one, 0
+    /// where there is no smooth part.
+    { bsdf.roughness() } -> std::same_as<double>;
 };
 
 }  // namespace plumb

@@ -1,5 +1,6 @@
 #include "scenes/bsdfs/dielectric.h"
 
+#include "scenes/bsdfs/bsdf.h"
 #include "scenes/bsdfs/fresnel.h"
 
 namespace plumb {
@@ -13,5 +14,26 @@ std::optional<BsdfSample> Dielectric::sample(Vec3 wo, const std::array<double, 3
     const double weight = transport == Transport::radiance ? 1 / (across * across) : 1;
     return BsdfSample{wi, transmittance * weight, 1 - chance, Measure::discrete, across, 0};
 }
+
+namespace description {
+
+Dielectric Dielectric::load(Properties& properties) {
+    Dielectric dielectric{.eta = properties.index("int_ior", "bk7") / properties.index("ext_ior", "air"),
+                          .specular_reflectance = properties.reflectance("specular_reflectance", Spectrum::grey(1)),
+                          .specular_transmittance = properties.reflectance("specular_transmittance", Spectrum::grey(1)),
+                          .roughness = {}};
+    if (properties.type() == "roughdielectric") dielectric.roughness = Roughness::load(properties);
+    return dielectric;
+}
+
+Bsdf Dielectric::at(const Lookup& lookup) const {
+    const Spectrum reflectance = lookup.colour(specular_reflectance);
+    const Spectrum transmittance = lookup.colour(specular_transmittance);
+    // Without contrast a rough interface scatters nothing: it lets light through as a smooth one does.
+    if (roughness && eta != 1) return {RoughDielectric{roughness->facets(), eta, reflectance, transmittance}};
+    return {plumb::Dielectric{eta, reflectance, transmittance}};
+}
+
+}  // namespace description
 
 }  // namespace plumb

@@ -10,7 +10,7 @@ double squared(double x) {
 }
 
 // eta² + c² − 1, which is (eta cos_t)² by Snell's law: it cancels at the critical angle, so the products' and the
-// sum's rounding errors are carried along [Dekker 1971; Knuth's two-sum].
+// sum's rounding errors are carried along [Dekker 1971], Knuth's two-sum.
 double squared_far_cosine(double eta, double c) {
     const double p = eta * eta, q = c * c, s = p + q;
     const double p_part = s - q, lost_in_sum = (p - p_part) + (q - (s - p_part));

@@ -1,6 +1,9 @@
 #include "scenes/bsdfs/plastic.h"
 
+#include <fmt/format.h>
+
 #include "estimators/densities/warps.h"
+#include "scenes/bsdfs/bsdf.h"
 
 namespace plumb {
 
@@ -45,6 +48,43 @@ std::optional<BsdfSample> Plastic::sample(Vec3 wo, const std::array<double, 3>& 
     const double density = pdf(wo, wi);
     if (!(density > 0)) return {};
     return BsdfSample{wi, eval(wo, wi, transport) / density, density, Measure::solid_angle, 1, 1};
+}
+
+namespace description {
+
+Plastic Plastic::load(Properties& properties) {
+    Plastic plastic{.eta = properties.index("int_ior", "polypropylene") / properties.index("ext_ior", "air"),
+                    .diffuse_reflectance = properties.reflectance("diffuse_reflectance", Spectrum::grey(0.5)),
+                    .specular_reflectance = properties.reflectance("specular_reflectance", Spectrum::grey(1)),
+                    .nonlinear = properties.boolean("nonlinear", false),
+                    .roughness = {}};
+    if (properties.type() == "roughplastic") plastic.roughness = Roughness::load(properties);
+    return plastic;
+}
+
+void Plastic::check(const std::vector<Material>&) const {
+    if (!(eta > 1)) throw Error(fmt::format("int_ior over ext_ior is {}; a plastic's coat is above 1", eta));
+}
+
+PreparedPlastic Plastic::prepared() const {
+    return PreparedPlastic(*this);
+}
+
+}  // namespace description
+
+PreparedPlastic::PreparedPlastic(const description::Plastic& plastic)
+    : plastic_(plastic), coat_(SmoothCoat(plastic.eta)) {
+    if (plastic.roughness) coat_ = std::make_shared<const RoughTransmittance>(plastic.roughness->facets(), plastic.eta);
+}
+
+Bsdf PreparedPlastic::at(const Lookup& lookup) const {
+    const auto tinted = [&](auto closure) {
+        closure.specular_reflectance = lookup.colour(plastic_.specular_reflectance);
+        return Bsdf{closure};
+    };
+    const Spectrum base = lookup.colour(plastic_.diffuse_reflectance);
+    if (const auto* smooth = std::get_if<SmoothCoat>(&coat_)) return tinted(Plastic(base, *smooth, plastic_.nonlinear));
+    return tinted(RoughPlastic(base, **std::get_if<1>(&coat_), plastic_.nonlinear));
 }
 
 }  // namespace plumb

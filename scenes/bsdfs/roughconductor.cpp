@@ -30,4 +30,8 @@ std::optional<BsdfSample> RoughConductor::sample(Vec3 wo, const std::array<doubl
                       facets.alpha};
 }
 
+Spectrum RoughConductor::albedo() const {
+    return reflectance * fresnel_conductor(1, eta, k);
+}
+
 }  // namespace plumb

@@ -8,6 +8,9 @@ namespace plumb {
 /// A rough metal [Cook & Torrance 1982; Walter et al. 2007]: facets that are smooth conductors, one scattering each.
 /// Samples visible normals; a sample whose direction falls below the surface is lost. Black below.
 struct RoughConductor {
+    static constexpr std::string_view name = "roughconductor";
+    static constexpr bool smooth = true;
+
     Microfacets facets;
     Spectrum eta, k = Spectrum::grey(1);
     Spectrum reflectance = Spectrum::grey(1);
@@ -16,8 +19,11 @@ struct RoughConductor {
     [[nodiscard]] double pdf(Vec3 wo, Vec3 wi) const;
     [[nodiscard]] std::optional<BsdfSample> sample(Vec3 wo, const std::array<double, 3>& u, Transport) const;
     [[nodiscard]] double discrete(Vec3) const { return 0; }
+    /// The reflectance at normal incidence.
+    [[nodiscard]] Spectrum albedo() const;
+    [[nodiscard]] double roughness() const { return facets.alpha; }
 };
 
-static_assert(BsdfModel<RoughConductor>);
+static_assert(NamedBsdfModel<RoughConductor>);
 
 }  // namespace plumb

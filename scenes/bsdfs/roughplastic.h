@@ -9,6 +9,9 @@ namespace plumb {
 /// [Mitsuba's roughplastic]. The coat lets in what it does not reflect, so that a white base loses nothing but its
 /// table's error, less than 1e-3. Black below.
 struct RoughPlastic {
+    static constexpr std::string_view name = "roughplastic";
+    static constexpr bool smooth = true;
+
     /// The coat's table outlives the closure: one a material.
     RoughPlastic(const Spectrum& diffuse_reflectance, const RoughTransmittance& coat, bool nonlinear);
 
@@ -19,6 +22,7 @@ struct RoughPlastic {
     [[nodiscard]] double pdf(Vec3 wo, Vec3 wi) const;
     [[nodiscard]] std::optional<BsdfSample> sample(Vec3 wo, const std::array<double, 3>& u, Transport transport) const;
     [[nodiscard]] double discrete(Vec3) const { return 0; }
+    [[nodiscard]] Spectrum albedo() const { return diffuse_reflectance; }
     [[nodiscard]] double roughness() const { return coat_->facets().alpha; }
 
 private:
@@ -29,6 +33,6 @@ private:
     double coat_share_;  // of the coat in the sampling, against the base's
 };
 
-static_assert(BsdfModel<RoughPlastic>);
+static_assert(NamedBsdfModel<RoughPlastic>);
 
 }  // namespace plumb

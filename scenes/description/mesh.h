@@ -32,7 +32,7 @@ struct Mesh {
 /// The mesh in another space, rounded once. A mirroring transform turns the vertices' order, so that outside stays.
 Mesh transformed(Mesh mesh, const Transform& transform);
 
-/// Shading normals as means of the adjacent triangles' normals weighted by their angles [Thürmer and Wüthrich 1998];
+/// Shading normals as means of the adjacent triangles' normals weighted by their angles [Thürmer & Wüthrich 1998];
 /// a vertex without any proper triangle gets (0, 0, 1).
 void add_smooth_normals(Mesh& mesh);
 

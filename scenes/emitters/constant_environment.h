@@ -1,11 +1,16 @@
 #pragma once
 
+#include <array>
+
+#include "scenes/description/models.h"
 #include "scenes/emitters/distant.h"
 
 namespace plumb {
 
 /// The same radiance from every direction.
 struct ConstantEnvironment {
+    static constexpr EmitterKind kind = EmitterKind::environment;
+
     Spectrum radiance;
 
     [[nodiscard]] std::optional<EmitterSample> sample(Vec3, const Point<2>& u) const {
@@ -28,5 +33,17 @@ struct ConstantEnvironment {
     }
 };
 static_assert(EmitterModel<ConstantEnvironment>);
+
+namespace description {
+
+struct ConstantSky {
+    Spectrum radiance = Spectrum::grey(1);
+
+    static constexpr std::array plugins{Plugin{"constant", "the same radiance from every direction"}};
+    static ConstantSky load(Properties& properties) { return {properties.emission("radiance", Spectrum::grey(1))}; }
+    [[nodiscard]] ConstantEnvironment light() const { return {radiance}; }
+};
+
+}  // namespace description
 
 }  // namespace plumb

@@ -25,6 +25,8 @@ namespace plumb {
 //   environments, being nowhere, from the disk that touches a ball around the scene and faces it: the direction first,
 //   then the point of the disk, per area. The weight  L cos θ / (pdf_area · pdf_direction)  is the ray's flux.
 
+enum class EmitterKind { surface, point, environment };
+
 struct EmitterSample {
     Vec3 direction;
     double distance = std::numeric_limits<double>::infinity();  ///< infinite for environments
@@ -58,6 +60,7 @@ struct EmittedRay {
 template <class E>
 concept EmitterModel = requires(const E& emitter, Vec3 from, Vec3 normal, Vec3 direction, const Point<2>& u,
                                 const Point<2>& v, const Ball& scene) {
+    { E::kind } -> std::convertible_to<EmitterKind>;
     /// Empty: this u shows no light (it fell on a side that does not shine); the sample's estimate is 0.
     { emitter.sample(from, u) } -> std::same_as<std::optional<EmitterSample>>;
     /// Empty: the ray meets no shining side. Discrete lights are never met.

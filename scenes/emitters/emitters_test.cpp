@@ -1,4 +1,4 @@
-// What the claims of verification/suites/lights.cpp do not see: special places, and bad input.
+// What the claims of verification/suites/lights/lights.cpp do not see: special places, and bad input.
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,12 @@
 #include "scenes/emitters/environment_map.h"
 
+#include <fmt/format.h>
+
 #include <numeric>
 
 #include "core/error.h"
 #include "estimators/densities/warps.h"
+#include "scenes/textures/texels.h"
 
 namespace plumb {
 
@@ -121,5 +124,34 @@ double EnvironmentMap::pdf(const Cell& cell) const {
                                columns_[cell.row].pdf(middle(cell.column, width_)) / static_cast<double>(width_);
     return probability / solid_angle(cell.row);
 }
+
+namespace description {
+
+EnvironmentMap EnvironmentMap::load(Properties& properties) {
+    const double scale = properties.number("scale", 1);
+    if (!(scale >= 0))
+        throw properties.place_of("scale").error(fmt::format("scale is {}; values from 0 are accepted", scale));
+    return {properties.file("filename"), scale, properties.transform("to_world")};
+}
+
+plumb::EnvironmentMap EnvironmentMap::light() const {
+    const Texels texels = read_texels(file);
+    std::vector<Spectrum> pixels;
+    pixels.reserve(texels.rgb.size() / 3);
+    for (int y = 0; y < texels.height; ++y)
+        for (int x = 0; x < texels.width; ++x) pixels.push_back(texels.texel(x, y) * scale);
+    const auto axis = [&](Vec3 local) { return to_world.vector(local); };
+    const Frame frame{axis({1, 0, 0}), axis({0, 1, 0}), axis({0, 0, 1})};
+    for (const auto& [a, b, product] : {std::tuple{frame.x, frame.x, 1.},
+                                        {frame.y, frame.y, 1.},
+                                        {frame.z, frame.z, 1.},
+                                        {frame.x, frame.y, 0.},
+                                        {frame.y, frame.z, 0.},
+                                        {frame.z, frame.x, 0.}})
+        if (std::abs(dot(a, b) - product) > 1e-5) throw Error("to_world of an envmap: accepted are rotations");
+    return {static_cast<std::size_t>(texels.width), static_cast<std::size_t>(texels.height), std::move(pixels), frame};
+}
+
+}  // namespace description
 
 }  // namespace plumb

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
+#include <filesystem>
 #include <vector>
 
 #include "estimators/densities/piecewise_constant.h"
+#include "scenes/description/models.h"
 #include "scenes/emitters/distant.h"
 
 namespace plumb {
@@ -19,6 +22,8 @@ namespace plumb {
 /// longitude and cos θ are drawn uniformly, so no 1/sin θ appears and the density is bounded.
 class EnvironmentMap {
 public:
+    static constexpr EmitterKind kind = EmitterKind::environment;
+
     /// pixels row by row; `frame` is the map's axes in the world. Throws Error for a map of no size, not finite,
     /// negative, or all black.
     EnvironmentMap(std::size_t width, std::size_t height, std::vector<Spectrum> pixels, const Frame& frame = {});
@@ -55,5 +60,22 @@ private:
     std::vector<PiecewiseConstant> rows_;     // one
 };
 static_assert(EmitterModel<EnvironmentMap>);
+
+namespace description {
+
+/// Latitude and longitude, v = 0 at +y of its own space.
+struct EnvironmentMap {
+    std::filesystem::path file;
+    double scale = 1;
+    Transform to_world;
+
+    static constexpr std::array plugins{
+        Plugin{"envmap", "radiance by direction, from a picture in latitude and longitude"}};
+    static EnvironmentMap load(Properties& properties);
+    /// Reads the picture. Throws Error where that fails, or to_world is no rotation.
+    [[nodiscard]] plumb::EnvironmentMap light() const;
+};
+
+}  // namespace description
 
 }  // namespace plumb

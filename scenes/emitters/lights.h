@@ -2,27 +2,25 @@
 
 #include <variant>
 
-#include "scenes/description/description.h"
-#include "scenes/emitters/constant_environment.h"
-#include "scenes/emitters/disk_light.h"
-#include "scenes/emitters/environment_map.h"
-#include "scenes/emitters/mesh_light.h"
-#include "scenes/emitters/point_light.h"
-#include "scenes/emitters/rectangle_light.h"
-#include "scenes/emitters/sphere_light.h"
+#include "scenes/emitters/all.h"
+#include "scenes/geometry/shape.h"
 
 namespace plumb {
 
 /// An emitter of a scene, under the conventions of scenes/emitters/emitter.h.
-using Light =
-    std::variant<RectangleLight, MeshLight, SphereLight, DiskLight, PointLight, ConstantEnvironment, EnvironmentMap>;
+using Light = description::OneOf<Lights>;
 
-/// The light that a shape with an emitter is. Throws Error naming file and line where it has no area, or is an ellipse.
+/// The light that a shape with an emitter is. Throws Error naming file and line where it can be none.
 Light area_light(const description::Shape& shape);
 
 /// A light without a shape. Throws Error naming file and line for a picture that cannot be read or is no environment.
 Light shapeless_light(const description::Emitter& emitter);
 
-bool is_environment(const Light& light);
+inline EmitterKind kind_of(const Light& light) {
+    return std::visit([](const auto& one) { return one.kind; }, light);
+}
+inline bool is_environment(const Light& light) {
+    return kind_of(light) == EmitterKind::environment;
+}
 
 }  // namespace plumb

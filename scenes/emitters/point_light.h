@@ -1,12 +1,17 @@
 #pragma once
 
+#include <array>
+
 #include "estimators/densities/warps.h"
+#include "scenes/description/models.h"
 #include "scenes/emitters/emitter.h"
 
 namespace plumb {
 
 /// Shines from one point with the same intensity (per steradian) to every side: what arrives falls as 1/d².
 struct PointLight {
+    static constexpr EmitterKind kind = EmitterKind::point;
+
     Vec3 position;
     Spectrum intensity;
 
@@ -29,5 +34,21 @@ struct PointLight {
     [[nodiscard]] Spectrum power(double) const { return intensity * (4 * std::numbers::pi); }
 };
 static_assert(EmitterModel<PointLight>);
+
+namespace description {
+
+struct PointLight {
+    Vec3 position;
+    Spectrum intensity = Spectrum::grey(1);  ///< W/sr
+
+    static constexpr std::array plugins{Plugin{"point", "one point with the same intensity to every side"}};
+    static PointLight load(Properties& properties) {
+        const Vec3 position = properties.vector("position", {});
+        return {properties.transform("to_world").point(position), properties.emission("intensity", Spectrum::grey(1))};
+    }
+    [[nodiscard]] plumb::PointLight light() const { return {position, intensity}; }
+};
+
+}  // namespace description
 
 }  // namespace plumb

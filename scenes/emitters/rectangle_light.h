@@ -1,21 +1,20 @@
 #pragma once
 
 #include "core/error.h"
-#include "scenes/emitters/surface.h"
+#include "scenes/description/mesh.h"
+#include "scenes/emitters/area_light.h"
 
 namespace plumb {
 
-/// A rectangle or parallelogram corner + s·edge_1 + t·edge_2, s and t in [0,1], that shines to the side of
-/// edge_1 × edge_2; sampled uniformly per area.
-class RectangleLight {
+/// A rectangle or parallelogram corner + s·edge_1 + t·edge_2, s and t in [0,1], seen from the side of edge_1 × edge_2.
+class RectangleSurface {
 public:
-    RectangleLight(Vec3 corner, Vec3 edge_1, Vec3 edge_2, const Spectrum& radiance)
+    RectangleSurface(Vec3 corner, Vec3 edge_1, Vec3 edge_2)
         : corner_(corner),
           edge_1_(edge_1),
           edge_2_(edge_2),
           halves_{Facet({corner, corner + edge_1, corner + edge_1 + edge_2}),
-                  Facet({corner, corner + edge_1 + edge_2, corner + edge_2})},
-          radiance_(radiance) {
+                  Facet({corner, corner + edge_1 + edge_2, corner + edge_2})} {
         const Vec3 product = cross(edge_1, edge_2);
         area_ = length(product);
         if (!(area_ > 0 && std::isfinite(area_)))
@@ -23,36 +22,33 @@ public:
         normal_ = product / area_;
     }
 
-    [[nodiscard]] std::optional<EmitterSample> sample(Vec3 from, const Point<2>& u) const {
-        return sample_towards(from, at(u), radiance_, pdf_area());
+    [[nodiscard]] double area() const { return area_; }
+    [[nodiscard]] SurfacePoint at(const Point<2>& u) const {
+        const auto& [s, t] = u;
+        return s >= t ? triangle_point(halves_[0], s - t, t) : triangle_point(halves_[1], s, t - s);
     }
-    [[nodiscard]] std::optional<EmitterHit> hit(Vec3 from, Vec3 direction) const {
+    [[nodiscard]] std::optional<PlaneHit> meet(Vec3 from, Vec3 direction) const {
         const auto plane = meet_plane(from, direction, corner_, normal_);
         if (!plane) return {};
         const Vec3 p = from + direction * plane->distance - corner_;
         const double s = dot(cross(p, edge_2_), normal_) / area_, t = dot(cross(edge_1_, p), normal_) / area_;
         if (!(0 <= s && s <= 1 && 0 <= t && t <= 1)) return {};
-        return EmitterHit{plane->distance, radiance_, per_steradian(pdf_area(), plane->distance, plane->cos_at_light)};
+        return plane;
     }
-    [[nodiscard]] EmittedRay sample_ray(const Ball&, const Point<2>& u, const Point<2>& v) const {
-        return send_from(at(u), radiance_, pdf_area(), v);
-    }
-    [[nodiscard]] EmittedRayPdf ray_pdf(const Ball&, Vec3 normal, Vec3 direction) const {
-        return ray_pdf_from(pdf_area(), normal, direction);
-    }
-    [[nodiscard]] double pdf_area() const { return 1 / area_; }
-    [[nodiscard]] Spectrum power(double) const { return lambertian_power(radiance_, area_); }
 
 private:
-    [[nodiscard]] SurfacePoint at(const Point<2>& u) const {
-        const auto& [s, t] = u;
-        return s >= t ? triangle_point(halves_[0], s - t, t) : triangle_point(halves_[1], s, t - s);
-    }
-
     Vec3 corner_, edge_1_, edge_2_, normal_;
     std::array<Facet, 2> halves_;  // as rays meet it: two triangles, whose common side leaves the corner
-    Spectrum radiance_;
     double area_;
+};
+
+/// A rectangle or parallelogram that shines to the side of edge_1 × edge_2.
+class RectangleLight : public AreaLight<RectangleSurface> {
+public:
+    RectangleLight(Vec3 corner, Vec3 edge_1, Vec3 edge_2, const Spectrum& radiance)
+        : AreaLight({corner, edge_1, edge_2}, radiance) {}
+    /// Of a mesh of two triangles that are halves of one parallelogram; empty for any other.
+    static std::optional<RectangleLight> of(const Mesh& mesh, const Spectrum& radiance);
 };
 static_assert(EmitterModel<RectangleLight>);
 

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "estimators/densities/warps.h"
 #include "scenes/emitters/surface.h"
+#include "scenes/geometry/sphere.h"
 
 namespace plumb {
 
@@ -10,12 +11,17 @@ namespace plumb {
 /// sampled uniformly [Shirley, Wang & Zimmerman 1996]; from inside all directions are.
 class SphereLight {
 public:
+    static constexpr EmitterKind kind = EmitterKind::surface;
     enum class Side { outwards, inwards };
 
     SphereLight(Vec3 centre, double radius, const Spectrum& radiance, Side side = Side::outwards)
         : centre_(centre), radius_(radius), radiance_(radiance), side_(side) {
         if (!(radius > 0 && std::isfinite(radius)))
             throw Error(fmt::format("sphere light of radius {}: it must be positive and finite", radius));
+    }
+
+    static SphereLight of(const description::Sphere& sphere, const Spectrum& radiance) {
+        return {sphere.center, sphere.radius, radiance, sphere.flip_normals ? Side::inwards : Side::outwards};
     }
 
     [[nodiscard]] std::optional<EmitterSample> sample(Vec3 from, const Point<2>& u) const {

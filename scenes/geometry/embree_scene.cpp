@@ -1,6 +1,7 @@
 #include "scenes/geometry/embree_scene.h"
 
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,7 @@
 
 namespace plumb {
 
-using description::Disk;
 using description::Shape;
-using description::Sphere;
 
 namespace {
 
@@ -41,33 +40,36 @@ RTCRay narrowed(const Ray& ray) {
     return result;
 }
 
+/// What a shape that is no mesh answers.
+template <class Result>
+Result ask_analytic(const Shape& shape, const auto& ask) {
+    const auto ask_one = [&]<class Geometry>(const Geometry& geometry) -> Result {
+        if constexpr (AnalyticShape<Geometry>)
+            return ask(geometry);
+        else
+            throw std::logic_error("a mesh is asked for its triangles");
+    };
+    return std::visit(ask_one, shape.geometry);
+}
+
 std::optional<double> intersect_analytic(const Shape& shape, const Ray& ray) {
-    if (const Sphere* sphere = std::get_if<Sphere>(&shape.geometry)) return intersect(*sphere, ray);
-    return intersect(std::get<Disk>(shape.geometry), ray);
+    return ask_analytic<std::optional<double>>(shape, [&](const auto& it) { return it.intersect(ray); });
 }
 
 // Embree calls these for a shape that is not a mesh; the user pointer is the Shape. We trace single rays only (N = 1).
 
-void bounds(const RTCBoundsFunctionArguments* args) {
+void bounds_of_user(const RTCBoundsFunctionArguments* args) {
     const Shape& shape = *static_cast<const Shape*>(args->geometryUserPtr);
-    Vec3 center, reach;
-    if (const Sphere* sphere = std::get_if<Sphere>(&shape.geometry)) {
-        center = sphere->center;
-        reach = {sphere->radius, sphere->radius, sphere->radius};
-    } else {
-        const Disk& disk = std::get<Disk>(shape.geometry);
-        center = disk.center;
-        for (std::size_t i = 0; i < 3; ++i) reach[i] = std::hypot(disk.axis_x[i], disk.axis_y[i]);
-    }
+    const auto [low, high] = bounds(shape.geometry);
     const auto down = [](double x) { return std::nextafter(static_cast<float>(x), -HUGE_VALF); };
     const auto up = [](double x) { return std::nextafter(static_cast<float>(x), HUGE_VALF); };
     RTCBounds& box = *args->bounds_o;
-    box.lower_x = down(center.x - reach.x);
-    box.lower_y = down(center.y - reach.y);
-    box.lower_z = down(center.z - reach.z);
-    box.upper_x = up(center.x + reach.x);
-    box.upper_y = up(center.y + reach.y);
-    box.upper_z = up(center.z + reach.z);
+    box.lower_x = down(low.x);
+    box.lower_y = down(low.y);
+    box.lower_z = down(low.z);
+    box.upper_x = up(high.x);
+    box.upper_y = up(high.y);
+    box.upper_z = up(high.z);
 }
 
 void intersected(const RTCIntersectFunctionNArguments* args) {
@@ -133,7 +135,7 @@ struct EmbreeScene::State {
         } else {
             rtcSetGeometryUserPrimitiveCount(geometry, 1);
             rtcSetGeometryUserData(geometry, const_cast<Shape*>(&shape));
-            rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
+            rtcSetGeometryBoundsFunction(geometry, bounds_of_user, nullptr);
             rtcSetGeometryIntersectFunction(geometry, intersected);
             rtcSetGeometryOccludedFunction(geometry, occluding);
         }
@@ -178,8 +180,7 @@ std::optional<Hit> EmbreeScene::intersect(const Ray& ray) const {
         hit->t = found.ray.tfar;
     } else {
         const double t = intersect_analytic(shape, ray).value_or(found.ray.tfar);
-        const Sphere* sphere = std::get_if<Sphere>(&shape.geometry);
-        hit = sphere ? sphere_hit(*sphere, ray, t) : disk_hit(std::get<Disk>(shape.geometry), ray, t);
+        hit = ask_analytic<Hit>(shape, [&](const auto& it) { return it.hit(ray, t); });
     }
     hit->shape = found.hit.geomID;
     return hit;

@@ -4,8 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "scenes/description/description.h"
-#include "scenes/geometry/shape_hit.h"
+#include "scenes/geometry/shape.h"
 
 namespace plumb {
 

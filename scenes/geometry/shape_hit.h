@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 
-#include "scenes/description/description.h"
+#include "scenes/description/mesh.h"
+#include "scenes/geometry/box.h"
 #include "scenes/geometry/surface_point.h"
 
 namespace plumb {
@@ -20,15 +22,21 @@ struct Hit {
     std::array<double, 2> uv{};           ///< surface parameters for textures
 };
 
-/// The smallest t in (0, t_max] at which the ray meets the shape, in double, for the ray as it stands.
-std::optional<double> intersect(const description::Sphere& sphere, const Ray& ray);
-std::optional<double> intersect(const description::Disk& disk, const Ray& ray);
-
-/// The surface where a ray met it; `shape` is left at 0. Parameters as Mitsuba's: of a mesh its uvs or else (u, v), of
-/// a sphere (azimuth, polar angle) and of a disk (radius, azimuth), scaled to [0, 1]. All of it is written in place: a
-/// hit is long, and is made for every ray.
+/// The surface where a ray met a mesh; `shape` is left at 0. Parameters as Mitsuba's: the mesh's uvs or else (u, v).
+/// All of it is written in place: a hit is long, and is made for every ray.
 void set_mesh_hit(Hit& hit, const Mesh& mesh, std::uint32_t triangle, double u, double v);
-Hit sphere_hit(const description::Sphere& sphere, const Ray& ray, double t);
-Hit disk_hit(const description::Disk& disk, const Ray& ray, double t);
+
+/// Azimuth over 2π, in [0, 1).
+double turn(double x, double y);
+
+/// What a shape that is not of triangles says of itself; a mesh is asked for its triangles.
+template <class Shape>
+concept AnalyticShape = requires(const Shape& shape, const Ray& ray, double t) {
+    /// The smallest t in (0, t_max] at which the ray meets the shape, in double, for the ray as it stands.
+    { shape.intersect(ray) } -> std::same_as<std::optional<double>>;
+    /// The surface where the ray met it; `shape` is left at 0.
+    { shape.hit(ray, t) } -> std::same_as<Hit>;
+    { shape.bounds() } -> std::same_as<Box>;
+};
 
 }  // namespace plumb

@@ -33,36 +33,36 @@ struct Loader {
     [[nodiscard]] Error unknown_plugin(const XmlElement& element) const;
 };
 
-/// The named values of one element: <float name="…"/> and its like. Every read marks a name as known.
-class Properties {
+/// The named values of one element: <float name="…"/> and its like.
+class XmlProperties final : public description::Properties {
 public:
-    Properties(const XmlElement& element, Loader& loader);
+    XmlProperties(const XmlElement& element, Loader& loader);
 
-    [[nodiscard]] bool has(const std::string& name) const { return values_.contains(name); }
-    double number(const std::string& name, double otherwise);
-    int integer(const std::string& name, int otherwise);
-    bool boolean(const std::string& name, bool otherwise);
-    std::string string(const std::string& name, const std::string& otherwise);
-    /// A file, relative to the file that names it; throws where it does not exist.
-    std::filesystem::path file(const std::string& name);
-    Vec3 vector(const std::string& name, Vec3 otherwise);
-    /// A colour that must not be textured, of lanes from 0. Emission and reflectance differ for tabulated spectra
-    /// alone.
-    Spectrum spectrum(const std::string& name, const Spectrum& otherwise, bool emission = false);
-    /// A reflectance, constant or textured, within [0, 1] where constant.
-    description::Colour reflectance(const std::string& name, const Spectrum& otherwise);
-    /// One that must not be textured.
-    Spectrum constant_reflectance(const std::string& name, const Spectrum& otherwise);
-    Transform transform(const std::string& name);
-    /// An index of refraction: a number or a medium's name.
-    double index(const std::string& name, const std::string& otherwise);
+    [[nodiscard]] const std::string& type() const override { return element_.attribute("type"); }
+    [[nodiscard]] const description::Place& place() const override { return element_.place; }
+    [[nodiscard]] const description::Place& place_of(const std::string& name) const override;
+    [[nodiscard]] bool has(const std::string& name) const override { return values_.contains(name); }
+
+    double number(const std::string& name, double otherwise) override;
+    int integer(const std::string& name, int otherwise) override;
+    bool boolean(const std::string& name, bool otherwise) override;
+    std::string string(const std::string& name, const std::string& otherwise) override;
+    std::filesystem::path file(const std::string& name) override;
+    Vec3 vector(const std::string& name, Vec3 otherwise) override;
+    Transform transform(const std::string& name) override;
+    double index(const std::string& name, const std::string& otherwise) override;
+    Spectrum spectrum(const std::string& name, const Spectrum& otherwise) override;
+    Spectrum emission(const std::string& name, const Spectrum& otherwise) override;
+    Spectrum constant_reflectance(const std::string& name, const Spectrum& otherwise) override;
+    description::Colour reflectance(const std::string& name, const Spectrum& otherwise) override;
+    std::vector<description::MaterialId> nested_materials(std::size_t most) override;
+    void ignored(std::string text) override { loader_.ignored(element_.place, std::move(text)); }
+    void replaced(std::string text, const Error& error) override {
+        loader_.replaced(element_.place, std::move(text), error);
+    }
 
     /// To be called when all has been read: what nobody asked for is an Error, or a note where it only advises.
     void finish(bool advisory = false);
-
-    [[nodiscard]] const XmlElement& element() const { return element_; }
-    /// Where the value stands, or the element that lacks it.
-    [[nodiscard]] const description::Place& place_of(const std::string& name) const;
 
 private:
     const XmlElement* take(const std::string& name);
@@ -74,8 +74,6 @@ private:
     std::set<std::string> known_;
 };
 
-/// One finite number, the whole text; throws an Error at the place.
-double parse_number(const std::string& text, const description::Place& place);
 Spectrum parse_spectrum(const XmlElement& element, bool emission);
 Transform parse_transform(const XmlElement& element);
 Vec3 parse_vector(const XmlElement& element, Vec3 otherwise);

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "scenes/description/description.h"
+#include "scenes/description.h"
 #include "scenes/mitsuba/xml_tree.h"
 
 namespace plumb {

@@ -10,7 +10,17 @@
 namespace plumb {
 namespace {
 
-using namespace description;
+using description::ConstantSky;
+using description::Dielectric;
+using description::Diffuse;
+using description::Disk;
+using description::Mask;
+using description::MaterialId;
+using description::Note;
+using description::Scene;
+using description::Sensor;
+using description::Sphere;
+using description::TwoSided;
 
 class MitsubaXml : public testing_files::Folder {
 protected:
@@ -64,12 +74,12 @@ TEST_F(MitsubaXml, ReadsSensorFilmAndEmitters) {
                              {.definitions = {{"side", "50"}}});
     const Sensor& sensor = scene.sensor.value();
     EXPECT_EQ(sensor.film.height, 50);
-    EXPECT_NEAR(sensor.fov_x, 2 * std::atan(4.0) * 180 / std::numbers::pi, 1e-12);  // 200 by 50, 90 degrees down
-    EXPECT_EQ(sensor.film.filter.kind, FilterKind::tent);
-    EXPECT_EQ(sensor.film.filter.radius, 1);
-    EXPECT_EQ(sensor.aperture_radius, 0.1);
+    const auto& lens = std::get<description::ThinLens>(sensor.kind);
+    EXPECT_NEAR(lens.fov_x, 2 * std::atan(4.0) * 180 / std::numbers::pi, 1e-12);  // 200 by 50, 90 degrees down
+    EXPECT_EQ(std::get<TentFilter>(sensor.film.filter).radius(), 1);
+    EXPECT_EQ(lens.aperture_radius, 0.1);
     EXPECT_EQ(std::get<ConstantSky>(scene.emitters.at(0).kind).radiance, Spectrum::rgb(1, 2, 3));
-    EXPECT_EQ(std::get<PointLight>(scene.emitters.at(1).kind).position, (Vec3{1, 2, 3}));
+    EXPECT_EQ(std::get<description::PointLight>(scene.emitters.at(1).kind).position, (Vec3{1, 2, 3}));
     EXPECT_EQ(std::get<Disk>(scene.shapes.at(0).geometry).axis_x, (Vec3{2, 0, 0}));
     EXPECT_TRUE(scene.shapes[0].emitter);
     ASSERT_EQ(scene.notes.size(), 2u);

@@ -1,39 +1,42 @@
 #include "scenes/mitsuba/plugins.h"
 
+#include <algorithm>
+
 #include "core/error.h"
+#include "scenes/description.h"
 
 namespace plumb {
 
+namespace {
+
+using description::Types;
+
+template <class... Models>
+void add(std::vector<Plugin>& plugins, const std::string& kind, Types<Models...> models) {
+    for_each_type(models, [&]<class Model>(std::type_identity<Model>) {
+        for (const auto& [name, summary] : Model::plugins)
+            plugins.push_back({kind, std::string(name), std::string(summary)});
+    });
+}
+
+std::vector<Plugin> plugins_of_all_lists() {
+    std::vector<Plugin> all;
+    add(all, "bsdf", description::MaterialModels{});
+    add(all, "emitter", Types<description::AreaEmitter>{});
+    add(all, "emitter", description::EmitterModels{});
+    add(all, "film", Types<description::Film>{});
+    add(all, "rfilter", FilterModels{});
+    add(all, "sensor", description::SensorModels{});
+    add(all, "shape", description::ShapeModels{});
+    add(all, "texture", description::TextureModels{});
+    std::ranges::sort(all, {}, [](const Plugin& plugin) { return std::tie(plugin.kind, plugin.name); });
+    return all;
+}
+
+}  // namespace
+
 const std::vector<Plugin>& known_plugins() {
-    static const std::vector<Plugin> all{
-        {"bsdf", "conductor", "a smooth metal by its complex index, or a perfect mirror"},
-        {"bsdf", "dielectric", "a smooth interface, as of glass: reflects and refracts"},
-        {"bsdf", "diffuse", "Lambert's surface"},
-        {"bsdf", "mask", "another bsdf where it is opaque, nothing elsewhere"},
-        {"bsdf", "plastic", "a diffuse base under a smooth dielectric coat"},
-        {"bsdf", "roughconductor", "a rough metal: Beckmann or GGX microfacets, visible normals"},
-        {"bsdf", "roughdielectric", "a rough interface: Beckmann or GGX microfacets, visible normals"},
-        {"bsdf", "roughplastic", "a diffuse base under a rough dielectric coat"},
-        {"bsdf", "twosided", "one bsdf on both sides, or one on each"},
-        {"emitter", "area", "the outside of a shape shines with one radiance to every side"},
-        {"emitter", "constant", "the same radiance from every direction"},
-        {"emitter", "envmap", "radiance by direction, from a picture in latitude and longitude"},
-        {"emitter", "point", "one point with the same intensity to every side"},
-        {"film", "hdrfilm", "pixels of unbounded values"},
-        {"rfilter", "box", "constant over its support"},
-        {"rfilter", "gaussian", "Gaussian, cut off at four standard deviations"},
-        {"rfilter", "tent", "falls linearly to the ends of its support"},
-        {"sensor", "perspective", "a pinhole camera"},
-        {"sensor", "thinlens", "a camera with a lens, in focus at one distance"},
-        {"shape", "cube", "[-1,1]^3"},
-        {"shape", "disk", "the unit disk at z = 0"},
-        {"shape", "obj", "a mesh from a Wavefront file"},
-        {"shape", "ply", "a mesh from a PLY file, of text or binary"},
-        {"shape", "rectangle", "[-1,1]^2 at z = 0"},
-        {"shape", "sphere", "a sphere, not of triangles"},
-        {"texture", "bitmap", "a picture, looked up bilinearly"},
-        {"texture", "checkerboard", "squares of two colours"},
-    };
+    static const std::vector<Plugin> all = plugins_of_all_lists();
     return all;
 }
 

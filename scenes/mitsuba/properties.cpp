@@ -12,6 +12,8 @@
 namespace plumb::mitsuba {
 
 using description::Colour;
+using description::MaterialId;
+using description::parse_number;
 using description::Place;
 
 std::string snake_case(const std::string& name) {
@@ -24,17 +26,6 @@ std::string snake_case(const std::string& name) {
         result += static_cast<char>(std::tolower(c));
     }
     return result;
-}
-
-double parse_number(const std::string& text, const Place& place) {
-    const auto first = text.find_first_not_of(" \t\n\r+"), last = text.find_last_not_of(" \t\n\r");
-    double value = 0;
-    if (first != std::string::npos) {
-        const char* const end = text.data() + last + 1;
-        const auto [stop, code] = std::from_chars(text.data() + first, end, value);
-        if (code == std::errc{} && stop == end && std::isfinite(value)) return value;
-    }
-    throw place.error(fmt::format("'{}' where a finite number is expected", text));
 }
 
 namespace {
@@ -147,7 +138,7 @@ Transform parse_transform(const XmlElement& element) {
     return result;
 }
 
-Properties::Properties(const XmlElement& element, Loader& loader) : element_(element), loader_(loader) {
+XmlProperties::XmlProperties(const XmlElement& element, Loader& loader) : element_(element), loader_(loader) {
     for (const XmlElement& child : element.children) {
         if (!child.has("name")) continue;
         const std::string name = snake_case(child.attribute("name"));
@@ -156,23 +147,23 @@ Properties::Properties(const XmlElement& element, Loader& loader) : element_(ele
     }
 }
 
-const Place& Properties::place_of(const std::string& name) const {
+const Place& XmlProperties::place_of(const std::string& name) const {
     const auto found = values_.find(name);
     return found == values_.end() ? element_.place : found->second->place;
 }
 
-const XmlElement* Properties::take(const std::string& name) {
+const XmlElement* XmlProperties::take(const std::string& name) {
     known_.insert(name);
     const auto found = values_.find(name);
     return found == values_.end() ? nullptr : found->second;
 }
 
-double Properties::number(const std::string& name, double otherwise) {
+double XmlProperties::number(const std::string& name, double otherwise) {
     const XmlElement* value = take(name);
     return value ? parse_number(value->attribute("value"), value->place) : otherwise;
 }
 
-int Properties::integer(const std::string& name, int otherwise) {
+int XmlProperties::integer(const std::string& name, int otherwise) {
     const double value = number(name, otherwise);
     if (value != std::floor(value) || std::abs(value) > 1e9) {
         throw values_.at(name)->place.error(fmt::format("{} is {}; a whole number is accepted", name, value));
@@ -180,7 +171,7 @@ int Properties::integer(const std::string& name, int otherwise) {
     return static_cast<int>(value);
 }
 
-bool Properties::boolean(const std::string& name, bool otherwise) {
+bool XmlProperties::boolean(const std::string& name, bool otherwise) {
     const XmlElement* value = take(name);
     if (!value) return otherwise;
     const std::string text = snake_case(value->attribute("value"));
@@ -190,12 +181,12 @@ bool Properties::boolean(const std::string& name, bool otherwise) {
     return text == "true";
 }
 
-std::string Properties::string(const std::string& name, const std::string& otherwise) {
+std::string XmlProperties::string(const std::string& name, const std::string& otherwise) {
     const XmlElement* value = take(name);
     return value ? value->attribute("value") : otherwise;
 }
 
-std::filesystem::path Properties::file(const std::string& name) {
+std::filesystem::path XmlProperties::file(const std::string& name) {
     const XmlElement* value = take(name);
     if (!value) throw element_.place.error(fmt::format("<{}> without a '{}'", element_.tag, name));
     const std::filesystem::path path =
@@ -206,12 +197,12 @@ std::filesystem::path Properties::file(const std::string& name) {
     return path;
 }
 
-Vec3 Properties::vector(const std::string& name, Vec3 otherwise) {
+Vec3 XmlProperties::vector(const std::string& name, Vec3 otherwise) {
     const XmlElement* value = take(name);
     return value ? parse_vector(*value, otherwise) : otherwise;
 }
 
-Spectrum Properties::constant(const std::string& name, const Spectrum& otherwise, bool emission, double most) {
+Spectrum XmlProperties::constant(const std::string& name, const Spectrum& otherwise, bool emission, double most) {
     const XmlElement* value = take(name);
     if (!value) return otherwise;
     if (value->tag == "texture" || value->tag == "ref") {
@@ -227,27 +218,31 @@ Spectrum Properties::constant(const std::string& name, const Spectrum& otherwise
     return result;
 }
 
-Spectrum Properties::spectrum(const std::string& name, const Spectrum& otherwise, bool emission) {
-    return constant(name, otherwise, emission, HUGE_VAL);
+Spectrum XmlProperties::spectrum(const std::string& name, const Spectrum& otherwise) {
+    return constant(name, otherwise, false, HUGE_VAL);
 }
 
-Spectrum Properties::constant_reflectance(const std::string& name, const Spectrum& otherwise) {
+Spectrum XmlProperties::emission(const std::string& name, const Spectrum& otherwise) {
+    return constant(name, otherwise, true, HUGE_VAL);
+}
+
+Spectrum XmlProperties::constant_reflectance(const std::string& name, const Spectrum& otherwise) {
     return constant(name, otherwise, false, 1);
 }
 
-Colour Properties::reflectance(const std::string& name, const Spectrum& otherwise) {
+Colour XmlProperties::reflectance(const std::string& name, const Spectrum& otherwise) {
     const XmlElement* value = take(name);
     if (!value) return otherwise;
     if (value->tag == "texture" || value->tag == "ref") return load_texture(loader_.resolve(*value), loader_);
     return constant_reflectance(name, otherwise);
 }
 
-Transform Properties::transform(const std::string& name) {
+Transform XmlProperties::transform(const std::string& name) {
     const XmlElement* value = take(name);
     return value ? parse_transform(*value) : Transform();
 }
 
-double Properties::index(const std::string& name, const std::string& otherwise) {
+double XmlProperties::index(const std::string& name, const std::string& otherwise) {
     const XmlElement* value = take(name);
     if (!value) return named_index(otherwise);
     double result = 0;
@@ -264,7 +259,21 @@ double Properties::index(const std::string& name, const std::string& otherwise) 
     return result;
 }
 
-void Properties::finish(bool advisory) {
+// The <bsdf> children, refs followed.
+std::vector<MaterialId> XmlProperties::nested_materials(std::size_t most) {
+    std::vector<MaterialId> nested;
+    for (const XmlElement& child : element_.children) {
+        if (child.tag == "ref" && loader_.resolve(child).tag != "bsdf") continue;
+        if (child.tag == "bsdf" || child.tag == "ref") nested.push_back(load_material(loader_.resolve(child), loader_));
+    }
+    if (nested.empty() || nested.size() > most) {
+        throw element_.place.error(fmt::format("'{}' around {} bsdfs; 1{} is accepted", element_.attribute("type"),
+                                               nested.size(), most == 2 ? " or 2" : ""));
+    }
+    return nested;
+}
+
+void XmlProperties::finish(bool advisory) {
     for (const auto& [name, value] : values_) {
         if (known_.contains(name) || value->tag == "bsdf" || value->tag == "emitter" || value->tag == "rfilter" ||
             value->tag == "film" || value->tag == "sampler") {

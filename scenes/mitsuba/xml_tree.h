@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/description/description.h"
+#include "scenes/description/place.h"
 
 namespace plumb {
 

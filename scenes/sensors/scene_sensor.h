@@ -2,23 +2,24 @@
 
 #include <variant>
 
-#include "scenes/description/description.h"
-#include "scenes/film/filters.h"
 #include "scenes/geometry/surface_point.h"
-#include "scenes/sensors/perspective.h"
-#include "scenes/sensors/thin_lens.h"
+#include "scenes/sensors/all.h"
 
 namespace plumb {
 
 /// The camera, film and filter that a description asks for.
 class SceneSensor {
 public:
+    using Model = description::OneOf<Sensors>;
+
     /// Throws Error naming file and line.
     explicit SceneSensor(const description::Sensor& sensor);
 
     [[nodiscard]] FilmSize film() const { return film_; }
     [[nodiscard]] const Filter& filter() const { return filter_; }
-    [[nodiscard]] bool has_lens() const { return std::holds_alternative<ThinLens>(model_); }
+    [[nodiscard]] bool has_lens() const {
+        return std::visit([](const auto& m) { return m.has_lens; }, model_);
+    }
 
     [[nodiscard]] Ray sample_ray(const Point<2>& film, const Point<2>& lens) const {
         const Ray ray = std::visit([&](const auto& m) { return m.sample_ray(film, lens); }, model_);
@@ -36,7 +37,7 @@ public:
 private:
     FilmSize film_;
     Filter filter_;
-    std::variant<Perspective, ThinLens> model_;
+    Model model_;
 };
 
 }  // namespace plumb

@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-// Conventions of every sensor, held to by verification/suites/cameras.cpp. A sensor mirrors an emitter
+// Conventions of every sensor, held to by verification/suites/film/cameras.cpp. A sensor mirrors an emitter
 // (scenes/emitters/emitter.h) with importance W for radiance:
 //   film points are in pixels, x right and y down, pixel (i, j) covers [i, i+1) × [j, j+1), its centre is at + ½;
 //   a pixel is I = ∫ h(p) L(ray(p, lens)) dp dlens: p per pixel², h the filter (of integral 1), lens uniform. So the

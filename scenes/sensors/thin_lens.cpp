@@ -51,4 +51,28 @@ std::optional<SensorSample> ThinLens::connect(Vec3 from, const Point<2>& lens) c
                         Measure::solid_angle};
 }
 
+namespace description {
+
+ThinLens ThinLens::load(Properties& properties, const Film& film) {
+    ThinLens lens{.fov_x = load_fov_x(properties, film),
+                  .aperture_radius = properties.number("aperture_radius", 0),
+                  .focus_distance = properties.number("focus_distance", 1)};
+    if (!(lens.aperture_radius >= 0))
+        throw properties.place_of("aperture_radius")
+            .error(fmt::format("aperture_radius is {}; values from 0 are accepted", lens.aperture_radius));
+    if (!(lens.focus_distance > 0))
+        throw properties.place_of("focus_distance")
+            .error(fmt::format("focus_distance is {}; values above 0 are accepted", lens.focus_distance));
+    return lens;
+}
+
+std::variant<plumb::ThinLens, plumb::Perspective> ThinLens::model(const CameraPose& pose, FilmSize size,
+                                                                  double margin) const {
+    if (aperture_radius > 0)
+        return plumb::ThinLens(pose, size, fov_x, aperture_radius, focus_distance, FovAxis::x, margin);
+    return plumb::Perspective(pose, size, fov_x, FovAxis::x, margin);
+}
+
+}  // namespace description
+
 }  // namespace plumb

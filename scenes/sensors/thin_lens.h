@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
+#include <variant>
+
 #include "scenes/sensors/film_plane.h"
+#include "scenes/sensors/perspective.h"
 #include "scenes/sensors/sensor.h"
 
 namespace plumb {
@@ -9,6 +13,8 @@ namespace plumb {
 /// pinhole's ray meets it.
 class ThinLens {
 public:
+    static constexpr bool has_lens = true;
+
     /// focus: distance of the plane in focus. Throws Error unless radius and focus are positive and finite.
     ThinLens(const CameraPose& pose, FilmSize size, double fov, double radius, double focus, FovAxis axis = FovAxis::x,
              double margin = 0);
@@ -27,5 +33,20 @@ private:
     double radius_, focus_;
 };
 static_assert(SensorModel<ThinLens>);
+
+namespace description {
+
+struct ThinLens {
+    double fov_x = 50;  ///< full horizontal angle in degrees, whatever axis the file spoke of
+    double aperture_radius = 0, focus_distance = 1;
+
+    static constexpr std::array plugins{Plugin{"thinlens", "a camera with a lens, in focus at one distance"}};
+    static ThinLens load(Properties& properties, const Film& film);
+    /// A pinhole where the radius is 0.
+    [[nodiscard]] std::variant<plumb::ThinLens, plumb::Perspective> model(const CameraPose& pose, FilmSize size,
+                                                                          double margin) const;
+};
+
+}  // namespace description
 
 }  // namespace plumb

@@ -8,7 +8,8 @@
 namespace plumb {
 namespace {
 
-using namespace description;
+using description::Note;
+using description::Scene;
 
 TEST(ShippedScenes, LoadAsTheyStandAndAskTheirQuestion) {
     const std::vector<ShippedScene> scenes = shipped_scenes();

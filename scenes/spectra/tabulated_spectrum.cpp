@@ -9,7 +9,7 @@ namespace plumb {
 
 namespace {
 
-/// CIE 1931 colour matching functions as sums of two-sided Gaussians [Wyman, Sloan and Shirley 2013, eq. 4].
+/// CIE 1931 colour matching functions as sums of two-sided Gaussians [Wyman, Sloan & Shirley 2013, eq. 4].
 std::array<double, 3> matching_functions(double nm) {
     const auto g = [nm](double mean, double below, double above) {
         const double t = (nm - mean) / (nm < mean ? below : above);

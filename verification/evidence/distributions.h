@@ -30,7 +30,8 @@ double chi_square_upper_quantile(double tail, double degrees_of_freedom);
 /// larger by at most the degrees of freedom.
 double noncentrality_upper_bound(double x, double degrees_of_freedom, double beta);
 
-/// Clopper–Pearson: the interval of a probability after `successes` of `trials`, each end wrong with at most `tail`.
+/// The interval of [Clopper & Pearson 1934] of a probability after `successes` of `trials`, each end wrong with at most
+/// `tail`.
 Interval clopper_pearson(std::uint64_t successes, std::uint64_t trials, double tail);
 
 }  // namespace plumb

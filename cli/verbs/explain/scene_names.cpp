@@ -30,10 +30,7 @@ SceneName name_of_light(const Scene& scene, std::size_t light) {
 }
 
 std::string name_of_bsdf(const Bsdf& bsdf) {
-    constexpr std::array names{"diffuse",         "conductor", "dielectric",  "roughconductor",
-                               "roughdielectric", "plastic",   "roughplastic"};
-    static_assert(names.size() == std::variant_size_v<Bsdf::Model>);
-    return names[bsdf.model.index()];
+    return std::string(bsdf.name());
 }
 
 }  // namespace plumb::cli

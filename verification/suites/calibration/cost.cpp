@@ -1,8 +1,8 @@
 // What a mean verdict costs, in samples, against the fixed-size design with the same risks.
 
+#include "verification/claim.h"
 #include "verification/evidence/cost_of_a_verdict.h"
 #include "verification/evidence/mean.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -18,7 +18,7 @@ Verdict costs_at_most(double fraction, double bias, const Run& run) {
 
 }  // namespace
 
-void add_calibration_claims_of_cost(Catalogue& catalogue) {
+void add_calibration_cost(Catalogue& catalogue) {
     struct Aim {
         double bias, fraction;
         std::string end;

@@ -7,8 +7,8 @@
 #include "analytic/integrand.h"
 #include "estimators/estimator.h"
 #include "estimators/replicates/replicates.h"
+#include "verification/claim.h"
 #include "verification/evidence/mean.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -69,7 +69,7 @@ void add_replicated_claim(Catalogue& catalogue, const std::string& estimator, co
 
 }  // namespace
 
-void add_calibration_claims_of_error_bars(Catalogue& catalogue) {
+void add_calibration_error_bars(Catalogue& catalogue) {
     for (const auto* id : {"independent", "importance-linear", "mis-balance", "mis-power", "mis-one-sample",
                            "control-variate-fitted", "roulette"}) {
         add_claim<1>(catalogue, id, "exp");

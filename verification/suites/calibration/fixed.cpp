@@ -3,12 +3,12 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/distribution.h"
 #include "verification/evidence/distributions.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/calibration/laws.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -207,7 +207,7 @@ void add_simulated_claims(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_calibration_claims_of_distributions(Catalogue& catalogue) {
+void add_calibration_fixed(Catalogue& catalogue) {
     add_exact_claims(catalogue);
     add_simulated_claims(catalogue);
 }

@@ -5,8 +5,8 @@
 #include "verification/evidence/distributions.h"
 
 #include "analytic/real.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -144,12 +144,12 @@ Verdict clopper_pearson_is_right(ProbabilityInterval interval) {
 
 }  // namespace
 
-void add_calibration_claims_of_functions(Catalogue& catalogue) {
+void add_calibration_functions(Catalogue& catalogue) {
     const auto add = [&](std::string id, std::string statement, auto check, auto right, std::string mutant,
                          std::string defect, auto wrong) {
         catalogue.add({.id = "calibration/functions/" + id,
                        .statement = std::move(statement),
-                       .source = "Abramowitz & Stegun 1964, 26.4 and 26.5, summed in MPFR",
+                       .source = "[Abramowitz & Stegun 1964, 26.4 and 26.5], summed in MPFR",
                        .kind = Kind::bounded,
                        .trial = {check, right, {{std::move(mutant), std::move(defect), wrong}}}});
     };

@@ -4,11 +4,11 @@
 #include <numeric>
 
 #include "core/moments.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/distribution.h"
 #include "verification/evidence/distributions.h"
 #include "verification/evidence/mean.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -181,7 +181,7 @@ Verdict lost_mass_ignored(const Run& run) {
 
 }  // namespace
 
-void add_calibration_claims_of_holes(Catalogue& catalogue) {
+void add_calibration_holes(Catalogue& catalogue) {
     add(catalogue, "small-values", "A mean of 5e-5 that is claimed 4 % too large is refuted, small as its variance is.",
         Kind::mean, {small_mean}, "floored-variance", "a t-test whose variance is at least 1e-5",
         {small_mean_with_floored_variance});

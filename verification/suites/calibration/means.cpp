@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/distributions.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/calibration/laws.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -85,7 +85,7 @@ void add_false_alarm_claim(Catalogue& catalogue, const Trial& trial) {
                    .statement = fmt::format(
                        "A true mean of {} values{} is refuted at most {} times as often as its level, {:.1e}.",
                        law.name, law.bounds == Interval{} ? ", no bounds declared," : "", aim, alpha_in_use),
-                   .source = "Ville 1939; Waudby-Smith & Ramdas 2024; docs/statistics.md",
+                   .source = "[Ville 1939; Waudby-Smith & Ramdas 2024]; docs/statistics.md",
                    .kind = Kind::mean,
                    .trial = {[law](const Simulation& test, const Run& run) { return false_alarms(test, law, run); },
                              simulation_of(law.test(law.mean), law),
@@ -293,7 +293,7 @@ void add_evidence_claims(Catalogue& catalogue) {
         {.id = "calibration/evidence/fair",
          .statement = "Under the claim the expectation of the evidence against it is 1, over all outcomes of "
                       "48 Bernoulli values.",
-         .source = "Waudby-Smith & Ramdas 2024, eq. 15; enumeration of all 17³ block outcomes",
+         .source = "[Waudby-Smith & Ramdas 2024, eq. 15]; enumeration of all 17³ block outcomes",
          .kind = Kind::bounded,
          .trial = {evidence_is_fair,
                    false,
@@ -301,14 +301,14 @@ void add_evidence_claims(Catalogue& catalogue) {
     catalogue.add(
         {.id = "calibration/p-values/mean",
          .statement = "The p-value of a true mean after sixty looks is at most 5 % in at most 5 % of the runs.",
-         .source = "Ville 1939",
+         .source = "[Ville 1939]",
          .kind = Kind::mean,
          .trial = {p_value_is_valid, 1, {{"overstated", "the evidence overstated five-fold", 5}}}});
 }
 
 }  // namespace
 
-void add_calibration_claims_of_means(Catalogue& catalogue) {
+void add_calibration_means(Catalogue& catalogue) {
     add_evidence_claims(catalogue);
     for (const Trial& trial : trials()) add_false_alarm_claim(catalogue, trial);
     for (const Trial& trial : trials()) add_wrong_holds_claim(catalogue, trial);

@@ -2,13 +2,13 @@
 
 #include <cmath>
 
+#include "verification/claim.h"
 #include "verification/evidence/distribution.h"
 #include "verification/evidence/distributions.h"
 #include "verification/evidence/mean.h"
 #include "verification/evidence/rate.h"
 #include "verification/evidence/ratio.h"
 #include "verification/suites/calibration/laws.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -65,7 +65,7 @@ Verdict slope_p_values_are_uniform(double error_factor, const Run& run) {
 
 }  // namespace
 
-void add_calibration_claims_of_slopes(Catalogue& catalogue) {
+void add_calibration_slopes(Catalogue& catalogue) {
     const auto slope_of = [](const TiltedLaw& law) {
         return [replicate = errors_of(law)](double alpha, RandomStream& random) {
             return rate_verdict(replicate, -2, alpha, 1000, random);

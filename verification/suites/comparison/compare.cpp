@@ -1,11 +1,11 @@
 // `plumb compare` on trial: honest renders, spoiled renders, and what it must leave undecided, without a renderer.
 
 #include "core/srgb.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
 #include "verification/pictures/synthetic_render.h"
 #include "verification/suites/comparison/compare_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -192,7 +192,7 @@ Verdict one_firefly(double size, bool known, const Run& run) {
 
 }  // namespace
 
-void add_compare_claims(Catalogue& catalogue) {
+void add_comparison_compare(Catalogue& catalogue) {
     std::vector<Spoiled> spoiled = spoiled_by_hand();
     for (Spoiled& render : spoiled_renders()) spoiled.push_back(std::move(render));
     const Pair honest = against([](std::uint64_t seed) { return render()(seed); });

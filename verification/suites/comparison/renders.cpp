@@ -6,10 +6,10 @@
 #include "integrators/drivers/render.h"
 #include "integrators/estimators/light.h"
 #include "integrators/estimators/path.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/comparison/compare_subjects.h"
 #include "verification/suites/direct/direct_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -56,8 +56,8 @@ description::Scene still_life(const Lens& lens) {
     constexpr double height = 0.456, pixel_at_target = 2 * 0.36397 * 6 / edge;
     description::Sensor sensor;
     sensor.to_world = Transform::look_at({0, -6, height}, {0, 0, height + lens.aside * pixel_at_target}, {0, 0, 1});
-    sensor.fov_x = 40;
-    sensor.film = {edge, edge, {description::FilterKind::tent, lens.filter_radius, 0.5}};
+    sensor.kind = description::Perspective{40};
+    sensor.film = {edge, edge, TentFilter(lens.filter_radius)};
     scene.sensor = sensor;
     return scene;
 }
@@ -247,7 +247,7 @@ Verdict honest_pairs(double variance_scale, const Run& run) {
 
 }  // namespace
 
-void add_compare_render_claims(Catalogue& catalogue) {
+void add_comparison_renders(Catalogue& catalogue) {
     std::vector<Spoiled> spoiled = images_spoiled();
     for (Spoiled& render : renderers_spoiled()) spoiled.push_back(std::move(render));
     Job honest = still(4);

@@ -1,9 +1,9 @@
 // What telescoping is forecast to vary and to cost, against closed forms, measured variances and counted evaluations.
 
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/ratio.h"
 #include "verification/suites/debiasing/telescoping_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -81,11 +81,11 @@ double exp_sum_variance_of_independent_terms() {
 
 }  // namespace
 
-void add_forecast_claims(Catalogue& catalogue) {
+void add_debiasing_forecasts(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/forecast/closed-forms",
         .statement = "Forecast variance and cost agree with their closed forms.",
-        .source = "Rhee & Glynn 2015, theorems 1 and 2; closed forms ours",
+        .source = "[Rhee & Glynn 2015, theorems 1 and 2]; closed forms ours",
         .kind = Kind::bounded,
         .trial = {forecasts_are_closed_forms,
                   1,
@@ -94,7 +94,7 @@ void add_forecast_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/forecast/single-term-variance",
         .statement = "The single-term estimator has the variance Σ Δ_k²/p_k − (I − I_0)².",
-        .source = "Rhee & Glynn 2015; ours, estimators/debiasing/telescoping.h",
+        .source = "[Rhee & Glynn 2015]; ours, estimators/debiasing/telescoping.h",
         .kind = Kind::ratio,
         .trial = {[](const Draw& draw, const Run& run) { return exp_single_variance(draw, Geometric(0.5), run); },
                   exp_single_term(Geometric(0.5)),
@@ -103,7 +103,7 @@ void add_forecast_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/forecast/roulette-sum-variance",
         .statement = "The roulette sum has the variance Σ (e_k² − e_{k+1}²)/P(K ≥ k) − e_0².",
-        .source = "Rhee & Glynn 2015, theorem 1",
+        .source = "[Rhee & Glynn 2015, theorem 1]",
         .kind = Kind::ratio,
         .trial = {forecast_is_variance,
                   {exp_roulette_sum(Geometric(0.5)), exp_sum_variance()},

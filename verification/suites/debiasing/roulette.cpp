@@ -4,10 +4,10 @@
 
 #include "analytic/enumeration.h"
 #include "estimators/debiasing/russian_roulette.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
 #include "verification/evidence/ratio.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -83,12 +83,12 @@ Verdict roulette_cost(double q, const Run& run) {
 
 }  // namespace
 
-void add_roulette_claims(Catalogue& catalogue) {
+void add_debiasing_roulette(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/roulette/expectation",
         .statement =
             "Nested Russian roulettes keep the mean and have the variance (σ² + μ²)/q − μ², over every outcome.",
-        .source = "Arvo & Kirk 1990; variance ours, estimators/debiasing/russian_roulette.h",
+        .source = "[Arvo & Kirk 1990]; variance ours, estimators/debiasing/russian_roulette.h",
         .kind = Kind::exact,
         .trial = {roulette_enumerated,
                   {},
@@ -99,7 +99,7 @@ void add_roulette_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/roulette/mean",
         .statement = "Russian roulette keeps the mean.",
-        .source = "Arvo & Kirk 1990",
+        .source = "[Arvo & Kirk 1990]",
         .kind = Kind::mean,
         .trial = {roulette_mean,
                   {},

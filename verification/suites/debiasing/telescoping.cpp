@@ -2,9 +2,9 @@
 // limits.
 
 #include "analytic/enumeration.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/debiasing/telescoping_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -148,7 +148,7 @@ void add_finite_telescoping(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/single-term/expectation",
         .statement = "The finite single-term estimator I_0 + Δ_k/p_k has the last term as its expectation.",
-        .source = "Misso et al. 2022",
+        .source = "[Misso et al. 2022]",
         .kind = Kind::exact,
         .trial = {reaches_last_term,
                   single_term_with(same_pmf),
@@ -159,7 +159,7 @@ void add_finite_telescoping(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/roulette-sum/expectation",
         .statement = "The finite roulette sum I_0 + Σ Δ_k/P(K ≥ k) has the last term as its expectation.",
-        .source = "Rhee & Glynn 2015; Misso et al. 2022",
+        .source = "[Rhee & Glynn 2015; Misso et al. 2022]",
         .kind = Kind::exact,
         .trial = {reaches_last_term,
                   roulette_sum_with(same_tail),
@@ -172,7 +172,7 @@ void add_single_terms(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/single-term/geometric",
         .statement = "The single-term estimator of I_k = 1 − 2^-k with a geometric pmf has the mean 1.",
-        .source = "Misso et al. 2022",
+        .source = "[Misso et al. 2022]",
         .kind = Kind::mean,
         .trial = {halving_mean,
                   halving_single_term(Geometric(0.6)),
@@ -195,7 +195,7 @@ void add_single_terms(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/single-term/power-law",
         .statement = "The single-term estimator of e from Taylor sums with a heavy-tailed pmf has the mean e.",
-        .source = "Misso et al. 2022",
+        .source = "[Misso et al. 2022]",
         .kind = Kind::mean,
         .trial = {exp_power_law_mean,
                   exp_single_term(PowerLaw(2)),
@@ -212,7 +212,7 @@ void add_roulette_sums(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/roulette-sum/exp",
         .statement = "The roulette sum over the Taylor series of e with a geometric K has the mean e.",
-        .source = "Rhee & Glynn 2015",
+        .source = "[Rhee & Glynn 2015]",
         .kind = Kind::mean,
         .trial = {exp_sum_mean,
                   exp_roulette_sum(Geometric(0.5)),
@@ -223,7 +223,7 @@ void add_roulette_sums(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/roulette-sum/trapezoid",
         .statement = "Trapezoidal rules on 1, 2, 4, … panels, telescoped, have the mean of the finest one.",
-        .source = "Misso et al. 2022, finite form",
+        .source = "[Misso et al. 2022], finite form",
         .kind = Kind::mean,
         .trial = {trapezoid_mean,
                   trapezoid_sum(trapezoid_pmf()),
@@ -235,7 +235,7 @@ void add_roulette_sums(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/roulette-sum/reciprocal",
         .statement = "1/E[X] is estimated without bias from prefix products of independent 1 − X_j.",
-        .source = "Booth 2007; Misso et al. 2022",
+        .source = "[Booth 2007; Misso et al. 2022]",
         .kind = Kind::mean,
         .trial = {reciprocal_mean,
                   reciprocal,
@@ -248,7 +248,7 @@ void add_squared_mean(Catalogue& catalogue) {
     catalogue.add({
         .id = "debiasing/single-term/squared-mean",
         .statement = "(E X)² is estimated without bias from squares of means of 2^k samples and of their halves.",
-        .source = "Rhee & Glynn 2015; Misso et al. 2022",
+        .source = "[Rhee & Glynn 2015; Misso et al. 2022]",
         .kind = Kind::mean,
         .trial = {squared_mean_is,
                   squared_mean(Geometric(0.4)),
@@ -261,7 +261,7 @@ void add_squared_mean(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_debiasing_claims(Catalogue& catalogue) {
+void add_debiasing_telescoping(Catalogue& catalogue) {
     add_finite_telescoping(catalogue);
     add_single_terms(catalogue);
     add_roulette_sums(catalogue);

@@ -6,9 +6,9 @@
 
 #include "estimators/densities/density_2d.h"
 #include "estimators/densities/piecewise_constant.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/distribution.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -270,7 +270,7 @@ void add_discrete(Catalogue& catalogue) {
     catalogue.add({
         .id = "discrete/alias/exact",
         .statement = "An alias table of integer weights gives every index exactly its weight.",
-        .source = "Vose 1991",
+        .source = "[Vose 1991]",
         .kind = Kind::exact,
         .trial = {alias_masses,
                   [](const Table& t, std::size_t i) { return t.columns()[i].threshold; },
@@ -290,7 +290,7 @@ void add_discrete(Catalogue& catalogue) {
     catalogue.add({
         .id = "discrete/alias/distribution",
         .statement = "Draws from an alias table follow the weights.",
-        .source = "Vose 1991",
+        .source = "[Vose 1991]",
         .kind = Kind::distribution,
         .trial = {indices_follow,
                   [table = Table(discrete_weights)](RandomStream& random) { return table.sample(random); },
@@ -310,7 +310,7 @@ void add_discrete(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_density_claims(Catalogue& catalogue) {
+void add_densities_densities(Catalogue& catalogue) {
     for (const DensityCase& density : density_cases()) add_one_dimensional(catalogue, density);
     add_two_dimensional(catalogue);
     add_discrete(catalogue);

@@ -3,9 +3,9 @@
 
 #include "analytic/irradiance.h"
 #include "estimators/densities/warps.h"
+#include "verification/claim.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/direct/direct_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -302,7 +302,7 @@ void add_family(Catalogue& catalogue, const Family& family) {
 
 }  // namespace
 
-void add_direct_closed_form_claims(Catalogue& catalogue) {
+void add_direct_closed_forms(Catalogue& catalogue) {
     add_family(catalogue, {"polygon", "Lambert's closed form under 12 polygons, one of them half hidden",
                            "[Lambert 1760]; analytic/irradiance.h", polygon_cases});
     add_family(catalogue, {"sphere",

@@ -76,8 +76,8 @@ void add_receiver(description::Scene& scene, Vec3 point, Vec3 normal, descriptio
 description::Sensor camera(Vec3 from, Vec3 at, double fov_x, int width, int height) {
     description::Sensor sensor;
     sensor.to_world = Transform::look_at(from, at, perpendicular_to(normalize(at - from)));
-    sensor.fov_x = fov_x;
-    sensor.film = {width, height, {description::FilterKind::box, 0.5, 0.5}};
+    sensor.kind = description::Perspective{fov_x};
+    sensor.film = {width, height, BoxFilter()};
     return sensor;
 }
 

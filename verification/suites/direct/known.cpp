@@ -3,9 +3,9 @@
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/known_radiances.h"
 #include "scenes/shipped/shipped.h"
+#include "verification/claim.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/direct/direct_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -89,7 +89,7 @@ struct Foggy final : PathEstimator {
 
 }  // namespace
 
-void add_direct_known_claims(Catalogue& catalogue) {
+void add_direct_known(Catalogue& catalogue) {
     for (const ShippedScene& shipped : shipped_scenes()) {
         const std::size_t count = direct_radiances(shipped).size();
         if (count == 0) continue;

@@ -5,12 +5,12 @@
 #include "integrators/drivers/render.h"
 #include "integrators/drivers/sampler.h"
 #include "integrators/estimators/aov.h"
-#include "scenes/bsdfs/texture.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
+#include "scenes/textures/texture.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/direct/direct_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -246,12 +246,12 @@ struct FilterWeighted final : PathEstimator {
     }
 };
 
-Verdict picture_is_one(description::FilterKind kind, const PathEstimator& estimator, const Run& run) {
+Verdict picture_is_one(const Filter& filter, const PathEstimator& estimator, const Run& run) {
     description::Scene description;
     description.emitters.push_back({description::ConstantSky{Spectrum::grey(1)}, {}});
     add_shape(description, description::Sphere{{}, 1, false, {}}, add_material(description));
     description.sensor = camera({0, 0, -4}, {}, 40, 16, 16);
-    description.sensor->film.filter = {kind, kind == description::FilterKind::box ? 0.5 : 1.5, 0.5};
+    description.sensor->film.filter = filter;
     const Scene scene(std::move(description));
     RandomStream random = run.random(0);
     const Rendered picture =
@@ -264,14 +264,13 @@ Verdict picture_is_one(description::FilterKind kind, const PathEstimator& estima
 }
 
 void add_constant(Catalogue& catalogue) {
-    using description::FilterKind;
     // By samples of its BSDF a white sphere under a white sky is white without variance.
     const auto direct = std::make_shared<Direct>(LightTechniques::bsdf);
-    for (const auto& [name, kind] : {std::pair{"box", FilterKind::box}, std::pair{"tent", FilterKind::tent},
-                                     std::pair{"gaussian", FilterKind::gaussian}}) {
+    for (const auto& [name, filter] : std::initializer_list<std::pair<const char*, Filter>>{
+             {"box", BoxFilter()}, {"tent", TentFilter(1.5)}, {"gaussian", GaussianFilter(0.5)}}) {
         std::vector<Wrong<Estimator>> wrong{
             {"two-thousandths-bright", "Everything is 0.2 % too bright.", std::make_shared<Scaled>(direct, 1.002)}};
-        if (kind != FilterKind::box)
+        if (!std::holds_alternative<BoxFilter>(filter))
             wrong.push_back({"weighted-again", "The filter's value, not normalised, is a weight once more.",
                              std::make_shared<FilterWeighted>()});
         catalogue.add({
@@ -279,8 +278,8 @@ void add_constant(Catalogue& catalogue) {
             .statement = fmt::format("A white sphere under a white sky gives a picture of ones, film filter {}.", name),
             .source = "ours, scenes/film/filters.h",
             .kind = Kind::bounded,
-            .trial = {[kind](const Estimator& estimator, const Run& run) {
-                          return picture_is_one(kind, *estimator, run);
+            .trial = {[filter = filter](const Estimator& estimator, const Run& run) {
+                          return picture_is_one(filter, *estimator, run);
                       },
                       direct, std::move(wrong)},
         });
@@ -289,7 +288,7 @@ void add_constant(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_direct_pixel_claims(Catalogue& catalogue) {
+void add_direct_pixels(Catalogue& catalogue) {
     add_values(catalogue);
     add_threads(catalogue);
     add_textures(catalogue);

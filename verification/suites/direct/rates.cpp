@@ -5,9 +5,9 @@
 
 #include "analytic/irradiance.h"
 #include "integrators/drivers/sampler.h"
+#include "verification/claim.h"
 #include "verification/evidence/rate.h"
 #include "verification/suites/direct/direct_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -95,7 +95,7 @@ struct RateClaim {
 
 }  // namespace
 
-void add_direct_rate_claims(Catalogue& catalogue) {
+void add_direct_rates(Catalogue& catalogue) {
     const std::vector<std::uint64_t> squares{16, 64, 256}, powers{16, 32, 64, 128};
     const std::string fixed = "Through a film point, {} samples of a light {}: the MSE falls as n^{}.";
     const Subject smooth{false, false, "independent"}, hard{true, false, "independent"};

@@ -3,9 +3,9 @@
 
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
+#include "verification/claim.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/direct/direct_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -224,7 +224,7 @@ void add_environment(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_direct_technique_claims(Catalogue& catalogue) {
+void add_direct_techniques(Catalogue& catalogue) {
     for (const View& view : views())
         catalogue.add(
             {.id = "direct/techniques/" + view.id,

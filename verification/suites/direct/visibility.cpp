@@ -1,10 +1,10 @@
 // Shadow rays of the renderer: an end that lies on a light does not hide the light, and masks let through their share.
 
 #include "scenes/geometry/surface_point.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/direct/direct_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -171,7 +171,7 @@ void add_masks(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_direct_visibility_claims(Catalogue& catalogue) {
+void add_direct_visibility(Catalogue& catalogue) {
     add_ends(catalogue);
     add_masks(catalogue);
 }

@@ -5,10 +5,10 @@
 #include "estimators/densities/warps.h"
 #include "scenes/sensors/perspective.h"
 #include "scenes/sensors/thin_lens.h"
+#include "verification/claim.h"
 #include "verification/evidence/distribution.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/lights/jacobian.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -215,7 +215,7 @@ void add_blur(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_camera_claims(Catalogue& catalogue) {
+void add_film_cameras(Catalogue& catalogue) {
     for (const Camera& camera : cameras()) add_one(catalogue, camera);
     add_blur(catalogue);
 }

@@ -7,9 +7,9 @@
 #include "estimators/densities/warps.h"
 #include "estimators/points/stratified.h"
 #include "scenes/film/filters.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -213,7 +213,7 @@ void add_pixel(Catalogue& catalogue, const FilterCase& filter) {
 }
 }  // namespace
 
-void add_film_claims(Catalogue& catalogue) {
+void add_film_films(Catalogue& catalogue) {
     catalogue.add({.id = "film/sums/order",
                    .statement = "A pixel has the same bits whatever the order of its samples and their partition.",
                    .source = "ours, scenes/film/exact_sum.h",

@@ -73,7 +73,7 @@ Verdict is_exact(PixelMean mean, const Run& run) {
 
 }  // namespace
 
-void add_film_large_claims(Catalogue& catalogue) {
+void add_film_large(Catalogue& catalogue) {
     catalogue.add({.id = "film/sums/large",
                    .statement = "A pixel's mean is that of its samples, rounded once, where some are of 2^31 and more.",
                    .source = "ours, scenes/film/wide_sum.h",

@@ -6,9 +6,9 @@
 #include "integrators/drivers/render.h"
 #include "integrators/drivers/sampler.h"
 #include "integrators/drivers/splatting.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
-#include "verification/suites/suites.h"
 #include "verification/suites/transport/transport_subjects.h"
 
 namespace plumb::suites {
@@ -226,7 +226,7 @@ Verdict is_half(double (*mean)(const Run&), const Run& run) {
 
 }  // namespace
 
-void add_film_picture_claims(Catalogue& catalogue) {
+void add_film_pictures(Catalogue& catalogue) {
     for (const std::string sampler : {"independent", "stratified", "sobol"}) {
         add_variance<PathTracer>(catalogue, "path", sampler);
         add_variance<LightTracer>(catalogue, "light", sampler);

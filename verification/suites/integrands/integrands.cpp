@@ -4,9 +4,9 @@
 
 #include "analytic/quadrature.h"
 #include "analytic/rational.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -263,7 +263,7 @@ void add_undecided_claim(Catalogue& catalogue, std::string_view id) {
 
 }  // namespace
 
-void add_integrand_claims(Catalogue& catalogue) {
+void add_integrands_integrands(Catalogue& catalogue) {
     for (const auto& [method, name] :
          {std::pair{Quadrature::gauss_legendre, "gauss-legendre"}, std::pair{Quadrature::tanh_sinh, "tanh-sinh"}}) {
         add_quadrature_claim<1>(catalogue, method, name, misstated_1d());

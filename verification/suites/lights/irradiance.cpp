@@ -10,10 +10,10 @@
 #include "scenes/emitters/mesh_light.h"
 #include "scenes/emitters/rectangle_light.h"
 #include "scenes/emitters/sphere_light.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/distribution.h"
 #include "verification/evidence/mean.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -242,7 +242,7 @@ void add_choice(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_light_irradiance_claims(Catalogue& catalogue) {
+void add_lights_irradiance(Catalogue& catalogue) {
     const std::vector<Wrong<Defect>> planar{
         {"without-distance", "d² is missing in the density.",
          [](EmitterSample& s) { s.pdf /= s.distance * s.distance; }},

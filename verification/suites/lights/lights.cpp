@@ -3,11 +3,11 @@
 // power.
 
 #include "estimators/densities/warps.h"
+#include "verification/claim.h"
 #include "verification/evidence/distribution.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/lights/jacobian.h"
 #include "verification/suites/lights/light_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -129,7 +129,7 @@ void add_one(Catalogue& catalogue, const Light& light) {
                              {{"without-pi", "π is missing.", light.power(light.enclosing)[1] / pi}}}});
     catalogue.add({.id = id + "/flux",
                    .statement = "The flux of " + light.title + " through a sphere, by emitter samples, is its power.",
-                   .source = "ours, verification/suites/lights.cpp",
+                   .source = "ours, verification/suites/lights/lights.cpp",
                    .kind = Kind::mean,
                    .trial = {flux_is_power, light, {{"another-sample", light.pdf_defect, light.with_wrong_pdf()}}}});
 }
@@ -169,7 +169,7 @@ void add_environment_distribution(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_light_claims(Catalogue& catalogue) {
+void add_lights_lights(Catalogue& catalogue) {
     for (const Light& light : lights()) add_one(catalogue, light);
     add_environment_distribution(catalogue);
 }

@@ -6,8 +6,8 @@
 #include "estimators/points/stratified.h"
 #include "estimators/points/zero_two.h"
 #include "scenes/emitters/rectangle_light.h"
+#include "verification/claim.h"
 #include "verification/evidence/rate.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -67,7 +67,7 @@ std::vector<Point<2>> anywhere_first(std::uint64_t n, RandomStream& random) {
 
 }  // namespace
 
-void add_light_rate_claims(Catalogue& catalogue) {
+void add_lights_rates(Catalogue& catalogue) {
     const std::vector<std::uint64_t> squares{16, 64, 256}, powers{16, 32, 64, 128};
     const Wrong<Generate> independent{"independent", "Independent samples: n^-1.", independent_points<2>};
     add(catalogue, "jittered-smooth", "With jittered samples of a light in full sight the MSE falls as n^-2.",

@@ -2,10 +2,10 @@
 // their weights are radiance over density, on average the power, and they light a receiver as emitter samples do.
 
 #include "estimators/densities/warps.h"
+#include "verification/claim.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/lights/jacobian.h"
 #include "verification/suites/lights/light_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -154,7 +154,7 @@ void add_one(Catalogue& catalogue, const Light& light) {
 
 }  // namespace
 
-void add_light_ray_claims(Catalogue& catalogue) {
+void add_lights_rays(Catalogue& catalogue) {
     for (const Light& light : lights()) add_one(catalogue, light);
 }
 

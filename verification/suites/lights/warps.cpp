@@ -3,9 +3,9 @@
 
 #include "estimators/densities/warps.h"
 
+#include "verification/claim.h"
 #include "verification/evidence/distribution.h"
 #include "verification/suites/lights/jacobian.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -33,7 +33,7 @@ Point<2> plane(Vec3 p) {
 std::vector<WarpCase> warp_cases() {
     constexpr double cone = 0.4;
     return {
-        {"polar-disk", "the polar map to the disk", "Shirley & Chiu 1997",
+        {"polar-disk", "the polar map to the disk", "[Shirley & Chiu 1997]",
          [](const Point<2>& u) { return flat(sample_polar_disk(u)); }, [](Vec3 p) { return polar_disk_pdf(plane(p)); },
          [](Vec3 p) { return invert_polar_disk(plane(p)); }, [](Vec3 p) { return 1 / (2 * pi * std::hypot(p.x, p.y)); },
          "The density is that of r = u.",
@@ -41,7 +41,7 @@ std::vector<WarpCase> warp_cases() {
              return Vec3{u[0] * std::cos(2 * pi * u[1]), u[0] * std::sin(2 * pi * u[1]), 0};
          },
          "r = u instead of √u."},
-        {"concentric-disk", "the concentric map to the disk", "Shirley & Chiu 1997",
+        {"concentric-disk", "the concentric map to the disk", "[Shirley & Chiu 1997]",
          [](const Point<2>& u) { return flat(sample_concentric_disk(u)); },
          [](Vec3 p) { return concentric_disk_pdf(plane(p)); }, [](Vec3 p) { return invert_concentric_disk(plane(p)); },
          [](Vec3) { return 4 / pi / 4 * 1.1; }, "The density is a tenth too large.",
@@ -69,7 +69,7 @@ std::vector<WarpCase> warp_cases() {
              return sample_uniform_cone({u[0] * u[0], u[1]}, cone);
          },
          "The angle is uniform, to first order."},
-        {"uniform-triangle", "the uniform triangle", "Turk 1990",
+        {"uniform-triangle", "the uniform triangle", "[Turk 1990]",
          [](const Point<2>& u) { return flat(sample_uniform_triangle(u)); },
          [](Vec3 b) { return uniform_triangle_pdf(plane(b)); },
          [](Vec3 b) { return invert_uniform_triangle(plane(b)); }, [](Vec3) { return 1.0; },
@@ -104,7 +104,7 @@ Verdict samples_are_uniform_again(const Sample& sample, const WarpCase& warp, co
 
 }  // namespace
 
-void add_warp_claims(Catalogue& catalogue) {
+void add_lights_warps(Catalogue& catalogue) {
     for (const WarpCase& warp : warp_cases()) {
         const auto jacobian = [warp](const std::function<double(Vec3)>& pdf) {
             return pdf_is_jacobian([&](const Point<2>& u) {

@@ -4,9 +4,9 @@
 #include <array>
 
 #include "analytic/enumeration.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/suites/mis/mis_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -235,7 +235,7 @@ void add_definitions(Catalogue& catalogue) {
         .id = "mis/weights/sum",
         .statement = "Balance, power, maximum and cutoff weights sum to 1 wherever a technique can sample, and are 0 "
                      "for every technique that cannot.",
-        .source = "Veach 1997, conditions W1 and W2",
+        .source = "[Veach 1997, conditions W1 and W2]",
         .kind = Kind::exact,
         .trial = {sums_to_one,
                   all_heuristics<Q>(),
@@ -249,7 +249,7 @@ void add_definitions(Catalogue& catalogue) {
     catalogue.add({
         .id = "mis/balance/definition",
         .statement = "The balance weights are n_i p_i / Σ n_k p_k.",
-        .source = "Veach 1997, eq. 9.8",
+        .source = "[Veach 1997, eq. 9.8]",
         .kind = Kind::exact,
         .trial = {[](const Weights<Rational>& heuristic) { return is_power_of_np(heuristic, 1); },
                   weights<Q>(Balance{}),
@@ -258,7 +258,7 @@ void add_definitions(Catalogue& catalogue) {
     catalogue.add({
         .id = "mis/power/definition",
         .statement = "The power weights with β = 2 are (n_i p_i)² / Σ (n_k p_k)².",
-        .source = "Veach 1997, eq. 9.13",
+        .source = "[Veach 1997, eq. 9.13]",
         .kind = Kind::exact,
         .trial = {[](const Weights<Rational>& heuristic) { return is_power_of_np(heuristic, 2); },
                   weights<Q>(Power{}),
@@ -270,7 +270,7 @@ void add_expectations(Catalogue& catalogue) {
     catalogue.add({
         .id = "mis/multi-sample/expectation",
         .statement = "The multi-sample estimator has the expectation Σ f over every outcome, for every heuristic.",
-        .source = "Veach 1997, lemma 9.1",
+        .source = "[Veach 1997, lemma 9.1]",
         .kind = Kind::exact,
         .trial = {[](const Contributions& all) { return all_of_each(multi_sample_is_unbiased, all); },
                   of_every_heuristic(),
@@ -284,7 +284,7 @@ void add_expectations(Catalogue& catalogue) {
     catalogue.add({
         .id = "mis/one-sample/expectation",
         .statement = "The one-sample estimator has the expectation Σ f over every outcome, for every heuristic.",
-        .source = "Veach 1997, eq. 9.15",
+        .source = "[Veach 1997, eq. 9.15]",
         .kind = Kind::exact,
         .trial = {[](const Contributions& all) { return all_of_each(one_sample_is_unbiased, all); },
                   of_every_heuristic(),
@@ -300,7 +300,7 @@ void add_theorems(Catalogue& catalogue) {
         .id = "mis/balance/variance-bound",
         .statement = "For f ≥ 0 no weights have a variance smaller than that of the balance heuristic by more than "
                      "(1/min n_i − 1/Σ n_i) μ².",
-        .source = "Veach 1997, theorem 9.2",
+        .source = "[Veach 1997, theorem 9.2]",
         .kind = Kind::exact,
         .trial =
             {variance_bound,
@@ -313,7 +313,7 @@ void add_theorems(Catalogue& catalogue) {
     catalogue.add({
         .id = "mis/balance/one-sample-optimal",
         .statement = "No weights give the one-sample estimator a smaller variance than the balance heuristic.",
-        .source = "Veach 1997, theorem 9.4",
+        .source = "[Veach 1997, theorem 9.4]",
         .kind = Kind::exact,
         .trial = {least_one_sample_variance,
                   weights<Q>(Balance{}),
@@ -323,7 +323,7 @@ void add_theorems(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_exact_mis_claims(Catalogue& catalogue) {
+void add_mis_exact(Catalogue& catalogue) {
     add_definitions(catalogue);
     add_expectations(catalogue);
     add_theorems(catalogue);

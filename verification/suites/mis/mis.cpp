@@ -6,11 +6,11 @@
 #include "analytic/rational.h"
 #include "estimators/densities/density.h"
 #include "estimators/mis/mis_estimators.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
 #include "verification/evidence/ratio.h"
 #include "verification/suites/mis/mis_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -242,7 +242,7 @@ void add_mean(Catalogue& catalogue, const std::string& name, const Draw& right, 
     catalogue.add({
         .id = fmt::format("mis/{}/mean", name),
         .statement = fmt::format("Multi-sample MIS with the {} heuristic has the mean ∫f.", name),
-        .source = "Veach 1997, lemma 9.1",
+        .source = "[Veach 1997, lemma 9.1]",
         .kind = Kind::mean,
         .trial = {multi_sample_mean, right, std::move(wrong)},
     });
@@ -278,7 +278,7 @@ void add_means(Catalogue& catalogue) {
     catalogue.add({
         .id = "mis/one-sample/mean",
         .statement = "One-sample MIS has the mean ∫f.",
-        .source = "Veach 1997, eq. 9.15",
+        .source = "[Veach 1997, eq. 9.15]",
         .kind = Kind::mean,
         .trial = {one_sample_mean,
                   [](RandomStream& random) {
@@ -297,7 +297,7 @@ void add_variances(Catalogue& catalogue) {
     catalogue.add({
         .id = "mis/balance/variance",
         .statement = "The variance of multi-sample MIS is Σ_i (∫(w_i f)²/p_i − (∫w_i f)²)/n_i.",
-        .source = "Veach 1997, appendix 9.A",
+        .source = "[Veach 1997, appendix 9.A]",
         .kind = Kind::ratio,
         .trial = {balance_variance,
                   multi_sample(Balance{}),
@@ -319,7 +319,7 @@ void add_variances(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_mis_claims(Catalogue& catalogue) {
+void add_mis_mis(Catalogue& catalogue) {
     add_weights(catalogue);
     add_means(catalogue);
     add_variances(catalogue);

@@ -8,10 +8,10 @@
 #include "estimators/mis/control_variate.h"
 #include "estimators/mis/importance_estimators.h"
 #include "estimators/mis/importance_sampling.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
 #include "verification/evidence/ratio.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -167,7 +167,7 @@ void add_importance(Catalogue& catalogue) {
     catalogue.add({
         .id = "importance/linear/mean",
         .statement = "f(X)/p(X) has the mean ∫f.",
-        .source = "Kahn & Marshall 1953",
+        .source = "[Kahn & Marshall 1953]",
         .kind = Kind::mean,
         .trial = {importance_mean,
                   linear(),
@@ -179,7 +179,7 @@ void add_importance(Catalogue& catalogue) {
     catalogue.add({
         .id = "importance/perfect/zero-variance",
         .statement = "A density proportional to f gives ∫f in every sample.",
-        .source = "Kahn & Marshall 1953",
+        .source = "[Kahn & Marshall 1953]",
         .kind = Kind::mean,
         .trial = {perfect_importance,
                   linear(),
@@ -201,7 +201,7 @@ void add_control_variates(Catalogue& catalogue) {
     catalogue.add({
         .id = "control-variate/known/mean",
         .statement = "f − β (g − ∫g) has the mean ∫f.",
-        .source = "Hammersley & Handscomb 1964, section 5.5",
+        .source = "[Hammersley & Handscomb 1964, section 5.5]",
         .kind = Kind::mean,
         .trial = {control_variate_mean,
                   identity,
@@ -210,7 +210,7 @@ void add_control_variates(Catalogue& catalogue) {
     catalogue.add({
         .id = "control-variate/known/variance",
         .statement = "With β = Cov(f,g)/Var g the variance is Var f − Cov²/Var g.",
-        .source = "Hammersley & Handscomb 1964, section 5.5",
+        .source = "[Hammersley & Handscomb 1964, section 5.5]",
         .kind = Kind::ratio,
         .trial = {[](double beta, const Run& run) {
                       return variance_is(controlled(beta, identity), best_variance, 0.05, 40000, run);
@@ -251,7 +251,7 @@ void add_control_variates(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_variance_reduction_claims(Catalogue& catalogue) {
+void add_mis_variance_reduction(Catalogue& catalogue) {
     add_importance(catalogue);
     add_control_variates(catalogue);
     add_registered(catalogue, importance_estimators_1d());

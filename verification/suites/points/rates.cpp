@@ -12,9 +12,9 @@
 #include "estimators/points/sobol.h"
 #include "estimators/points/stratified.h"
 #include "estimators/points/zero_two.h"
+#include "verification/claim.h"
 #include "verification/evidence/rate.h"
 #include "verification/suites/points/defective_point_sets.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -174,7 +174,7 @@ void add_rates_1d(Catalogue& catalogue) {
                        .others = {{"stratified", "A jitter for each point.", stratified_1d}}});
 }
 
-void add_rates_2d(Catalogue& catalogue) {
+void add_rates_stratified_2d(Catalogue& catalogue) {
     add<2>(catalogue, {.set = "stratified",
                        .property = "rate-smooth",
                        .statement = "The MSE of stratified means of e^(x+y) falls as n^-2.",
@@ -197,6 +197,9 @@ void add_rates_2d(Catalogue& catalogue) {
                        .replicates = 2000,
                        .exponents = around(-1.5, 0.15),
                        .others = {{"independent", "Independent points.", independent_points<2>}}});
+}
+
+void add_rates_latin_hypercube(Catalogue& catalogue) {
     add<2>(catalogue,
            {.set = "latin-hypercube",
             .property = "rate-additive",
@@ -222,6 +225,9 @@ void add_rates_2d(Catalogue& catalogue) {
                        .replicates = 2000,
                        .exponents = around(-1, 0.3),
                        .others = {{"stratified", "Stratified in two dimensions.", stratified_2d}}});
+}
+
+void add_rates_multi_jittered(Catalogue& catalogue) {
     add<2>(catalogue, {.set = "cmj",
                        .property = "rate-additive",
                        .statement = "The MSE of correlated multi-jittered means of e^x + e^y falls as n^-3.",
@@ -249,6 +255,9 @@ void add_rates_2d(Catalogue& catalogue) {
                        {"uncorrelated",
                         "Multi-jittered with a permutation for each row and each column [Chiu, Shirley & Wang 1994].",
                         multi_jittered_uncorrelated}}});
+}
+
+void add_rates_scrambled_2d(Catalogue& catalogue) {
     add<2>(catalogue,
            {.set = "sobol-owen",
             .property = "rate-smooth",
@@ -299,9 +308,12 @@ void add_rates_2d(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_point_rate_claims(Catalogue& catalogue) {
+void add_points_rates(Catalogue& catalogue) {
     add_rates_1d(catalogue);
-    add_rates_2d(catalogue);
+    add_rates_stratified_2d(catalogue);
+    add_rates_latin_hypercube(catalogue);
+    add_rates_multi_jittered(catalogue);
+    add_rates_scrambled_2d(catalogue);
 }
 
 }  // namespace plumb::suites

@@ -13,10 +13,10 @@
 #include "estimators/points/strata.h"
 #include "estimators/points/stratified.h"
 #include "estimators/points/zero_two.h"
+#include "verification/claim.h"
 #include "verification/evidence/distribution.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/points/defective_point_sets.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -169,7 +169,7 @@ void add_unbiased(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_point_set_claims(Catalogue& catalogue) {
+void add_points_sets(Catalogue& catalogue) {
     add_uniform_1d(catalogue);
     add_uniform_2d(catalogue);
     add_unbiased(catalogue);

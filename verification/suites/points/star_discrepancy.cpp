@@ -6,7 +6,7 @@
 
 #include "estimators/points/halton.h"
 #include "estimators/points/strata.h"
-#include "verification/suites/suites.h"
+#include "verification/claim.h"
 #include "verification/suites/tally.h"
 
 namespace plumb::suites {
@@ -79,7 +79,7 @@ std::vector<Point<2>> centred_hammersley(std::uint64_t n) {
 
 }  // namespace
 
-void add_star_discrepancy_claims(Catalogue& catalogue) {
+void add_points_star_discrepancy(Catalogue& catalogue) {
     const auto boxes = [](bool open, bool closed, bool border) {
         return [=](const std::vector<Point<2>>& points) { return by_critical_boxes(points, open, closed, border); };
     };

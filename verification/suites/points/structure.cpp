@@ -10,8 +10,8 @@
 #include "estimators/points/strata.h"
 #include "estimators/points/stratified.h"
 #include "estimators/points/zero_two.h"
+#include "verification/claim.h"
 #include "verification/suites/points/defective_point_sets.h"
-#include "verification/suites/suites.h"
 #include "verification/suites/tally.h"
 
 namespace plumb::suites {
@@ -269,7 +269,7 @@ void add_halton(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_point_structure_claims(Catalogue& catalogue) {
+void add_points_structure(Catalogue& catalogue) {
     add_strata(catalogue);
     add_nets(catalogue);
     add_halton(catalogue);

@@ -6,9 +6,9 @@
 #include "estimators/points/multi_jittered.h"
 #include "estimators/points/sobol.h"
 #include "estimators/points/stratified.h"
+#include "verification/claim.h"
 #include "verification/evidence/ratio.h"
 #include "verification/suites/points/defective_point_sets.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -120,7 +120,7 @@ void add_multi_jittered(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_point_variance_claims(Catalogue& catalogue) {
+void add_points_variances(Catalogue& catalogue) {
     add_stratified(catalogue);
     add_scrambled(catalogue);
     add_multi_jittered(catalogue);

@@ -6,8 +6,8 @@
 #include "estimators/points/point_set_estimators.h"
 #include "estimators/points/stratified.h"
 #include "estimators/replicates/replicates.h"
+#include "verification/claim.h"
 #include "verification/evidence/mean.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -133,7 +133,7 @@ void add_coverage(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_error_bar_claims(Catalogue& catalogue) {
+void add_replicates_error_bars(Catalogue& catalogue) {
     add_squares(catalogue);
     add_coverage(catalogue);
 }

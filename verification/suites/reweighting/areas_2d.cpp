@@ -139,7 +139,7 @@ void add_disk(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_reweighting_2d_area_claims(Catalogue& catalogue) {
+void add_reweighting_areas_2d(Catalogue& catalogue) {
     add_areas(catalogue);
     add_disk(catalogue);
 }

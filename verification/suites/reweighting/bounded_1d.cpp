@@ -7,8 +7,8 @@
 #include "estimators/reweighting/cells_1d.h"
 #include "estimators/reweighting/reweighting_1d.h"
 #include "estimators/reweighting/samples_1d.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
-#include "verification/suites/reweighting/subjects_1d.h"
 
 namespace plumb::suites {
 namespace {
@@ -184,14 +184,12 @@ Verdict integrates_lines(const Weigh& node_weights, const Run& run) {
     return within_bound(cases, 1e-12, "absolute");
 }
 
-}  // namespace
-
-void add_reweighting_1d_bounded_claims(Catalogue& catalogue) {
+void add_cells(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/voronoi-1d/sum",
          .statement =
              "Clipped cells of any samples sum to 1 within 1e-12: coincident, clustered, on the boundary, many.",
-         .source = "thesis, eq. 4.4",
+         .source = "[thesis, eq. 4.4]",
          .kind = Kind::bounded,
          .trial = {sum_to_one,
                    voronoi_weights_1d,
@@ -208,7 +206,7 @@ void add_reweighting_1d_bounded_claims(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/voronoi-1d/cells",
          .statement = "Clipped cells are those of a sort-free construction from half-lines.",
-         .source = "thesis, section 4.4.1",
+         .source = "[thesis, section 4.4.1]",
          .kind = Kind::bounded,
          .trial = {[](const Weigh& weigh, const Run& run) { return agrees_with_half_lines(weigh, false, run); },
                    voronoi_weights_1d,
@@ -221,9 +219,12 @@ void add_reweighting_1d_bounded_claims(Catalogue& catalogue) {
          .trial = {[](const Weigh& weigh, const Run& run) { return agrees_with_half_lines(weigh, true, run); },
                    torus_weights_1d,
                    {{"clipped-called-periodic", "cells clipped to [0,1]", voronoi_weights_1d}}}});
+}
+
+void add_formulas(Catalogue& catalogue) {
     catalogue.add({.id = "reweighting/g-1d/stable",
                    .statement = "g in double is within 8 ulp for N up to 10^9 and x from 2^-1074 to 1 − 2^-53.",
-                   .source = "thesis, eq. 4.6; truth by MPFR",
+                   .source = "[thesis, eq. 4.6]; truth by MPFR",
                    .kind = Kind::bounded,
                    .trial = {within_8_ulp,
                              cell_weight,
@@ -253,7 +254,7 @@ void add_reweighting_1d_bounded_claims(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/yakowitz-trapezoid/lines",
          .statement = "The trapezoidal rule on samples and ends integrates a line within 1e-12, whatever the samples.",
-         .source = "Yakowitz et al. 1978",
+         .source = "[Yakowitz et al. 1978]",
          .kind = Kind::bounded,
          .trial = {
              integrates_lines,
@@ -263,6 +264,13 @@ void add_reweighting_1d_bounded_claims(Catalogue& catalogue) {
                    weights.insert(weights.end(), {0, 0});
                    return weights;
                }}}}});
+}
+
+}  // namespace
+
+void add_reweighting_bounded_1d(Catalogue& catalogue) {
+    add_cells(catalogue);
+    add_formulas(catalogue);
 }
 
 }  // namespace plumb::suites

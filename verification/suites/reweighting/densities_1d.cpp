@@ -10,9 +10,9 @@
 #include "estimators/reweighting/samples_1d.h"
 #include "estimators/reweighting/tent.h"
 #include "estimators/reweighting/warp.h"
+#include "verification/claim.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/reweighting/exponential_1d.h"
-#include "verification/suites/reweighting/subjects_1d.h"
 
 namespace plumb::suites {
 namespace {
@@ -88,7 +88,7 @@ Verdict error_bar_is_true(double scale, const Run& run) {
         {.delta = 0.1 * 0.0166, .cap = std::uint64_t{1} << 22}, run);
 }
 
-void add_densities(Catalogue& catalogue) {
+void add_warps(Catalogue& catalogue) {
     const std::vector<At> places{{2, 0.002}, {4, 0.002}};
     const auto warp_check = [=](const Function<1>& f, const Weigh& weigh, const Run& run) {
         return unbiased(weighted(independent_samples_1d, weigh, f), places, {0, 4.1}, run);
@@ -114,28 +114,32 @@ void add_densities(Catalogue& catalogue) {
                    [f = warped(exponential, ramp)](const Point<1>& u) { return f(tent(u)); },
                    {{"pdf-off-by-its-normalisation", "p normalised by a left Riemann sum of 100 panels, 0.995 for 1",
                      [f = off_by_its_normalisation](const Point<1>& u) { return f(tent(u)); }}}}});
+}
 
-    // ε: a relative error of g is one of the estimate, and with M = sup p = 3/2 the side of x that is at least 1/2 wide
-    // gives g ≥ N/2 ∫_0^{1/2} (1 − M t)^{N−1} dt ≥ 0.31 for N ≥ 2.
-    using WeightAt = std::function<double(std::uint64_t n, double x)>;
-    struct Division {
-        WeightAt g;  ///< empty: tabulated
-        std::function<double(double)> pdf;
-    };
-    const auto density_check = [](const Division& by, const Run& run) {
-        std::vector<Verdict> parts;
-        for (const At& place : {At{2, 0.0035}, At{4, 0.0022}}) {
-            const std::uint64_t n = place.n;
-            const CellWeightTable table(n, ramp_density, 1e-4);
-            const auto at = [&](double x) { return by.g ? by.g(n, x) : table(x); };
-            const Weigh weigh = [&](std::span<const double> samples) {
-                return density_reweighted_weights_1d(samples, at, by.pdf);
-            };
-            parts.push_back(unbiased(weighted(ramp_samples, weigh), {place}, {0, 6.1},
-                                     run.part(fmt::format("{}", n), 0.5), table.error_bound() / 0.3 * integral_of_exp));
-        }
-        return all_of(std::move(parts));
-    };
+// What cells are divided by: g p.
+struct Division {
+    std::function<double(std::uint64_t n, double x)> g;  ///< empty: tabulated
+    std::function<double(double)> pdf;
+};
+
+// ε: a relative error of g is one of the estimate, and with M = sup p = 3/2 the side of x that is at least 1/2 wide
+// gives g ≥ N/2 ∫_0^{1/2} (1 − M t)^{N−1} dt ≥ 0.31 for N ≥ 2.
+Verdict division_is_unbiased(const Division& by, const Run& run) {
+    std::vector<Verdict> parts;
+    for (const At& place : {At{2, 0.0035}, At{4, 0.0022}}) {
+        const std::uint64_t n = place.n;
+        const CellWeightTable table(n, ramp_density, 1e-4);
+        const auto at = [&](double x) { return by.g ? by.g(n, x) : table(x); };
+        const Weigh weigh = [&](std::span<const double> samples) {
+            return density_reweighted_weights_1d(samples, at, by.pdf);
+        };
+        parts.push_back(unbiased(weighted(ramp_samples, weigh), {place}, {0, 6.1}, run.part(fmt::format("{}", n), 0.5),
+                                 table.error_bound() / 0.3 * integral_of_exp));
+    }
+    return all_of(std::move(parts));
+}
+
+void add_densities(Catalogue& catalogue) {
     const auto ramp_pdf = [](double x) { return ramp_density.pdf(x); };
     catalogue.add(
         {.id = "reweighting/g-density/unbiased",
@@ -143,7 +147,7 @@ void add_densities(Catalogue& catalogue) {
              "Clipped cells over g p, g tabulated for the density p(x) = 1/2 + x, are unbiased, at N = 2 and 4.",
          .source = "ours, analytic/cell_weight_density.h",
          .kind = Kind::mean,
-         .trial = {density_check,
+         .trial = {division_is_unbiased,
                    {{}, ramp_pdf},
                    {{"g-of-uniform-samples", "g_N(x) of uniform samples", {cell_weight, ramp_pdf}},
                     {"uniform-g-warped",
@@ -185,7 +189,7 @@ void add_strata_and_batches(Catalogue& catalogue) {
         {.id = "reweighting/piecewise-strata/unbiased",
          .statement = "Pieces of a piecewise-constant density, each reweighted by itself with a fixed count ≥ 1, are "
                       "unbiased: 10 pieces, N = 16.",
-         .source = "thesis, section 4.4.4",
+         .source = "[thesis, section 4.4.4]",
          .kind = Kind::mean,
          .trial = {check,
                    ten_strata(exponential),
@@ -197,7 +201,7 @@ void add_strata_and_batches(Catalogue& catalogue) {
     };
     catalogue.add({.id = "reweighting/batches/unbiased",
                    .statement = "The mean of four reweighted batches of four samples is unbiased.",
-                   .source = "thesis, section 4.5.1",
+                   .source = "[thesis, section 4.5.1]",
                    .kind = Kind::mean,
                    .trial = {batch_check,
                              [](std::uint64_t n, RandomStream& random) { return four_batches(n, random).value; },
@@ -222,7 +226,8 @@ void add_strata_and_batches(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_reweighting_1d_density_claims(Catalogue& catalogue) {
+void add_reweighting_densities_1d(Catalogue& catalogue) {
+    add_warps(catalogue);
     add_densities(catalogue);
     add_strata_and_batches(catalogue);
 }

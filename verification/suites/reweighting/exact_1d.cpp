@@ -1,6 +1,6 @@
 #include "analytic/ordered_samples.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
-#include "verification/suites/reweighting/subjects_1d.h"
 
 namespace plumb::suites {
 namespace {
@@ -87,7 +87,7 @@ void add_clipped_cells(Catalogue& catalogue) {
          .statement =
              "N times the expected clipped cell of a sample at x is g_N(x) = [(N−Nx−x)x^{N−1} + (Nx+x−1)(1−x)^{N−1} "
              "+ 2]/2, coefficient by coefficient.",
-         .source = "thesis, eq. 4.6",
+         .source = "[thesis, eq. 4.6]",
          .kind = Kind::exact,
          .trial = {
              [](const Polynomials& g, const Run& run) { return same_polynomials(g, clipped_cell_polynomial, run); },
@@ -122,7 +122,7 @@ void add_torus_cells(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/torus-cells-1d/exact",
          .statement = "On the circle the expected cell of each of N i.i.d. uniform samples is 1/N wherever it lies.",
-         .source = "ours, analytic/ordered_samples.h; against thesis, appendix A.2",
+         .source = "ours, analytic/ordered_samples.h; against [thesis, appendix A.2]",
          .kind = Kind::exact,
          .trial = {[](const Polynomials& g, const Run& run) { return same_polynomials(g, one, run); },
                    {torus_cell_polynomial},
@@ -134,7 +134,7 @@ void add_torus_cells(Catalogue& catalogue) {
                    .statement =
                        "The integrand printed for periodically augmented samples is the expectation of no weights that "
                        "sum to 1: for N = 2 … 8 its integral is not 1, and it is not symmetric.",
-                   .source = "ours, against thesis, appendix A.2",
+                   .source = "ours, against [thesis, appendix A.2]",
                    .kind = Kind::exact,
                    .trial = {is_no_expected_cell,
                              printed_periodic_polynomial,
@@ -154,7 +154,7 @@ void add_torus_cells(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_reweighting_1d_exact_claims(Catalogue& catalogue) {
+void add_reweighting_exact_1d(Catalogue& catalogue) {
     add_clipped_cells(catalogue);
     add_torus_cells(catalogue);
 }

@@ -118,7 +118,7 @@ Verdict density_unbiased(const Division& by, const Run& run) {
 
 }  // namespace
 
-void add_reweighting_2d_expected_cell_claims(Catalogue& catalogue) {
+void add_reweighting_expected_cells_2d(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-general-g/integrates-to-1",
         .statement = "The tabulated g of 4 uniform samples in the square integrates to 1, because their cells fill it.",
@@ -129,7 +129,7 @@ void add_reweighting_2d_expected_cell_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-voronoi/biased-by-g",
         .statement = "Clipped Voronoi weights of 4 independent samples estimate the integral of g f, not of f.",
-        .source = "thesis, eq. 4.5, carried to two dimensions in estimators/reweighting/cell_weight_2d.h",
+        .source = "[thesis, eq. 4.5], carried to two dimensions in estimators/reweighting/cell_weight_2d.h",
         .kind = Kind::mean,
         .trial = {clipped_mean_is,
                   g_of_4,
@@ -138,7 +138,7 @@ void add_reweighting_2d_expected_cell_claims(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-general-g/unbiased",
         .statement = "Clipped Voronoi weights over g integrate e^(x+y) without bias from 2 independent samples.",
-        .source = "ours, estimators/reweighting/cell_weight_2d.h; in one dimension thesis, eq. 4.8",
+        .source = "ours, estimators/reweighting/cell_weight_2d.h; in one dimension [thesis, eq. 4.8]",
         .kind = Kind::mean,
         .trial = {reweighted_unbiased,
                   divided_by(g_of_2),

@@ -7,8 +7,8 @@
 #include "estimators/reweighting/reweighting_1d.h"
 #include "estimators/reweighting/samples_1d.h"
 #include "estimators/reweighting/tent.h"
+#include "verification/claim.h"
 #include "verification/suites/reweighting/exponential_1d.h"
-#include "verification/suites/reweighting/subjects_1d.h"
 
 namespace plumb::suites {
 namespace {
@@ -82,16 +82,18 @@ struct Biased {
     std::function<double(std::uint64_t n)> mean;
 };
 
+const Interval values{1, e};       // weights sum to 1
+const Interval doubled{0, 2 * e};  // g ≥ 1/2
+
+Verdict weights_are_unbiased(const Value& value, const Run& run) {
+    return unbiased(value, quarter_of_voronoi_bias, values, run);
+}
+
 void add_independent(Catalogue& catalogue) {
-    const Interval values{1, e};       // weights sum to 1
-    const Interval doubled{0, 2 * e};  // g ≥ 1/2
-    const auto weights_are_unbiased = [=](const Value& value, const Run& run) {
-        return unbiased(value, quarter_of_voronoi_bias, values, run);
-    };
     catalogue.add(
         {.id = "reweighting/voronoi/known-bias",
          .statement = "Clipped cells estimate ∫ g_N f, not ∫ f: for e^x 0.8, 0.7 and 0.35 % too little at N = 2, 4, 8.",
-         .source = "thesis, eq. 4.6",
+         .source = "[thesis, eq. 4.6]",
          .kind = Kind::mean,
          .trial = {
              [=](const Biased& claimed, const Run& run) {
@@ -106,7 +108,7 @@ void add_independent(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/reweighted/unbiased",
          .statement = "Clipped cells over g_N are unbiased for i.i.d. uniform samples, at N = 2, 4, 8.",
-         .source = "thesis, eq. 4.8",
+         .source = "[thesis, eq. 4.8]",
          .kind = Kind::mean,
          .trial = {
              check,
@@ -114,10 +116,13 @@ void add_independent(Catalogue& catalogue) {
              {{"consistent-weights", "the cells alone", voronoi},
               {"g-of-n-minus-1", "g of N − 1 samples", weighted(independent_samples_1d, over_g_of_fewer)},
               {"normalised", "the weights divided by their sum", weighted(independent_samples_1d, normalised)}}}});
+}
+
+void add_torus(Catalogue& catalogue) {
     catalogue.add(
         {.id = "reweighting/torus/unbiased",
          .statement = "Cells on the circle are unbiased for i.i.d. uniform samples, at N = 2, 4, 8, without any g.",
-         .source = "ours, analytic/ordered_samples.h; against thesis, appendix A.2",
+         .source = "ours, analytic/ordered_samples.h; against [thesis, appendix A.2]",
          .kind = Kind::mean,
          .trial = {weights_are_unbiased, torus, {{"clipped-called-periodic", "cells clipped to [0,1]", voronoi}}}});
     const auto shift_check = [=](const Weigh& weigh, const Run& run) {
@@ -125,7 +130,7 @@ void add_independent(Catalogue& catalogue) {
     };
     catalogue.add({.id = "reweighting/torus/unbiased-for-a-shifted-set",
                    .statement = "Cells on the circle are unbiased for a fixed set under one uniform shift.",
-                   .source = "ours, methods of cells_1d.h",
+                   .source = "ours, estimators/reweighting/cells_1d.h",
                    .kind = Kind::mean,
                    .trial = {shift_check,
                              torus_weights_1d,
@@ -215,8 +220,9 @@ void add_control_variate(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_reweighting_1d_mean_claims(Catalogue& catalogue) {
+void add_reweighting_means_1d(Catalogue& catalogue) {
     add_independent(catalogue);
+    add_torus(catalogue);
     add_stratified(catalogue);
     add_control_variate(catalogue);
 }

@@ -6,8 +6,8 @@
 #include "estimators/reweighting/reweighting_estimators_1d.h"
 #include "estimators/reweighting/samples_1d.h"
 #include "estimators/reweighting/tent.h"
+#include "verification/claim.h"
 #include "verification/evidence/rate.h"
-#include "verification/suites/reweighting/subjects_1d.h"
 
 namespace plumb::suites {
 namespace {
@@ -133,7 +133,7 @@ void add_slow(Catalogue& catalogue) {
     add(catalogue,
         {"reweighting/reweighted/rate",
          "The MSE of the unbiased reweighted estimator falls only like N^-2 where f(0), f(1) ≠ 0, not like N^-4.",
-         "ours, estimators/reweighting/reweighting_1d.h; against thesis, section 4.5.1",
+         "ours, estimators/reweighting/reweighting_1d.h; against [thesis, section 4.5.1]",
          "reweighted",
          -2,
          0.25,
@@ -166,7 +166,7 @@ void add_slow(Catalogue& catalogue) {
         {{"equal-weights", "weights 1/N", stratified}});
     add(catalogue,
         {"reweighting/batches/rate",
-         "Batches of 16 reweighted samples: N^-1, as for any mean of independent estimates.", "thesis, section 4.5.1",
+         "Batches of 16 reweighted samples: N^-1, as for any mean of independent estimates.", "[thesis, section 4.5.1]",
          "reweighted-batches-16", -1, 0.25, exponential, light_tails},
         {{"one-batch", "all samples in one batch", shipped("reweighted")}});
 }
@@ -174,7 +174,7 @@ void add_slow(Catalogue& catalogue) {
 void add_fast(Catalogue& catalogue) {
     add(catalogue,
         {"reweighting/voronoi/rate", "The MSE of clipped cells falls like N^-4: bias² and variance alike.",
-         "thesis, section 4.4.1", "voronoi", -4, 0.45, exponential, heavy_tails},
+         "[thesis, section 4.4.1]", "voronoi", -4, 0.45, exponential, heavy_tails},
         {{"unbiased-version", "cells over g", shipped("reweighted")}});
     add(catalogue,
         {"reweighting/torus-tent/rate",
@@ -195,7 +195,7 @@ void add_fast(Catalogue& catalogue) {
         {{"sawtooth", "folded by 2u mod 1 in place of the tent", sawtooth(shipped("stratified-torus"))}});
     add(catalogue,
         {"reweighting/yakowitz-trapezoid/rate", "The MSE of the trapezoidal rule on random samples falls like N^-4.",
-         "Yakowitz et al. 1978", "yakowitz-trapezoid", -4, 0.25, exponential, light_tails},
+         "[Yakowitz et al. 1978]", "yakowitz-trapezoid", -4, 0.25, exponential, light_tails},
         {{"equal-weights", "weights 1/N", monte_carlo}});
     add(catalogue,
         {"reweighting/torus/rate-of-a-kink",
@@ -235,7 +235,7 @@ void add_fast(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_reweighting_1d_rate_claims(Catalogue& catalogue) {
+void add_reweighting_rates_1d(Catalogue& catalogue) {
     add_slow(catalogue);
     add_fast(catalogue);
 }

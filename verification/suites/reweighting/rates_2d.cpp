@@ -49,7 +49,7 @@ double wave(const Point<2>& x) {
 
 }  // namespace
 
-void add_reweighting_2d_rate_claims(Catalogue& catalogue) {
+void add_reweighting_rates_2d(Catalogue& catalogue) {
     const std::vector<std::uint64_t> small{16, 32, 64, 128, 256}, middle{64, 128, 256, 512},
         large{256, 512, 1024, 2048};
     const RateSubject torus{"torus", "e^(x+y)", exp_sum, exp_sum_integral};

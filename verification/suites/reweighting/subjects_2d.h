@@ -15,10 +15,6 @@
 
 namespace plumb::suites {
 
-void add_reweighting_2d_area_claims(Catalogue& catalogue);
-void add_reweighting_2d_torus_claims(Catalogue& catalogue);
-void add_reweighting_2d_expected_cell_claims(Catalogue& catalogue);
-void add_reweighting_2d_rate_claims(Catalogue& catalogue);
 
 using Samples = std::vector<Point<2>>;
 using Weigh = std::function<std::vector<double>(std::span<const Point<2>>)>;

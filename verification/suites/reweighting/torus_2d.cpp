@@ -59,12 +59,13 @@ Verdict unbiased_after_shift(const Shifted& subject, const Run& run) {
 
 }  // namespace
 
-void add_reweighting_2d_torus_claims(Catalogue& catalogue) {
+void add_reweighting_torus_2d(Catalogue& catalogue) {
     catalogue.add({
         .id = "reweighting/2d-torus/unbiased",
         .statement =
             "Torus weights of 4 independent samples integrate e^(x+y) without bias, though it is not periodic.",
-        .source = "ours, estimators/reweighting/reweighting_2d.h; the thesis, A.2, calls the periodic scheme biased",
+        .source =
+            "ours, estimators/reweighting/reweighting_2d.h; [thesis, appendix A.2] calls the periodic scheme biased",
         .kind = Kind::mean,
         .trial = {[](const Draw& draw, const Run& run) { return unbiased(draw, 0.014, run); },
                   weighted(exp_sum, 4, voronoi_areas_periodic),

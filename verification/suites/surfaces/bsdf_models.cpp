@@ -6,7 +6,7 @@
 
 #include "scenes/bsdfs/bsdf.h"
 #include "scenes/bsdfs/fresnel.h"
-#include "verification/suites/suites.h"
+#include "verification/claim.h"
 #include "verification/suites/surfaces/bsdf_defects.h"
 
 namespace plumb::suites {
@@ -223,14 +223,15 @@ std::vector<Model> models() {
              {{"weight", "chosen-too-often", "Lobes are chosen by u^1.1 but announce the probability of u.",
                chosen_too_often},
               {"energy", "eta-squared-on-importance", "Importance scales by 1/eta² too.", eta_squared_on_both_sides}})},
-        {"roughconductor-ggx", "A rough conductor of GGX facets", "Walter et al. 2007; Dupuy & Benyoub 2023",
+        {"roughconductor-ggx", "A rough conductor of GGX facets", "[Walter et al. 2007; Dupuy & Benyoub 2023]",
          shaped(rough_conductors, ggx), all_properties, with(common_defects(2), ggx_reflection)},
-        {"roughconductor-beckmann", "A rough conductor of Beckmann facets", "Walter et al. 2007; Heitz & d'Eon 2014",
+        {"roughconductor-beckmann", "A rough conductor of Beckmann facets", "[Walter et al. 2007; Heitz & d'Eon 2014]",
          shaped(rough_conductors, beckmann), all_properties, with(common_defects(2), rough_reflection)},
-        {"roughdielectric-ggx", "A rough dielectric of GGX facets", "Walter et al. 2007; Dupuy & Benyoub 2023",
+        {"roughdielectric-ggx", "A rough dielectric of GGX facets", "[Walter et al. 2007; Dupuy & Benyoub 2023]",
          shaped(rough_dielectrics, ggx), all_properties, with(common_defects(2), rough_refraction)},
-        {"roughdielectric-beckmann", "A rough dielectric of Beckmann facets", "Walter et al. 2007; Heitz & d'Eon 2014",
-         shaped(rough_dielectrics, beckmann), all_properties, with(common_defects(2), rough_refraction)},
+        {"roughdielectric-beckmann", "A rough dielectric of Beckmann facets",
+         "[Walter et al. 2007; Heitz & d'Eon 2014]", shaped(rough_dielectrics, beckmann), all_properties,
+         with(common_defects(2), rough_refraction)},
         {"plastic", "A smooth plastic with a white base", "Mitsuba's plastic; ours, scenes/bsdfs/plastic.h",
          one(Plastic(Spectrum::grey(1), SmoothCoat(1.5), true), {1, 1, true}), all_properties,
          with(common_defects(1.003),
@@ -280,7 +281,7 @@ void add(Catalogue& catalogue, const Model& model, const PropertyOfAll& property
 
 }  // namespace
 
-void add_bsdf_model_claims(Catalogue& catalogue) {
+void add_surfaces_bsdf_models(Catalogue& catalogue) {
     for (const Model& model : models())
         for (const PropertyOfAll& property : properties())
             if (std::ranges::count(model.properties, property.id)) add(catalogue, model, property);

@@ -5,8 +5,8 @@
 #include "analytic/real.h"
 #include "scenes/bsdfs/fresnel.h"
 #include "scenes/bsdfs/microfacet.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -132,7 +132,7 @@ R textbook_g1(MicrofacetShape shape, const R& alpha, Vec3 w) {
     return 1 / (1 - erfc_a / 2 + exp(R(-a * a)) / (2 * a * sqrt(pi)));
 }
 
-// D in tan²θ [Walter et al. 2007, eq. 25, 33].
+// D in tan²θ [Walter et al. 2007, eqs. 25 and 33].
 template <class R>
 R textbook_d(MicrofacetShape shape, const R& alpha, Vec3 m) {
     const R z2 = R(m.z) * m.z, t2 = (R(m.x) * m.x + R(m.y) * m.y) / z2, a2 = alpha * alpha;
@@ -193,7 +193,7 @@ void add_fresnel(Catalogue& catalogue) {
          .statement =
              "A dielectric's reflectance is good to 24 ulp at grazing incidence, at nearly equal indices and on "
              "both sides of the critical angle.",
-         .source = "Born & Wolf 1999, 1.5.2; ours, scenes/bsdfs/fresnel.cpp",
+         .source = "[Born & Wolf 1999, 1.5.2]; ours, scenes/bsdfs/fresnel.cpp",
          .kind = Kind::bounded,
          .trial = {dielectric_is,
                    [](double c, double eta) { return fresnel_dielectric(c, eta).reflectance; },
@@ -210,7 +210,7 @@ void add_fresnel(Catalogue& catalogue) {
                    .statement =
                        "A conductor's reflectance is good to 24 ulp at grazing incidence, at nearly equal indices and "
                        "with next to no absorption.",
-                   .source = "Born & Wolf 1999, 14.2; ours, scenes/bsdfs/fresnel.cpp",
+                   .source = "[Born & Wolf 1999, 14.2]; ours, scenes/bsdfs/fresnel.cpp",
                    .kind = Kind::bounded,
                    .trial = {conductor_is,
                              [](double c, double eta, double k) { return fresnel_conductor(c, eta, k); },
@@ -221,7 +221,7 @@ void add_fresnel(Catalogue& catalogue) {
                                }}}}});
     catalogue.add({.id = "bsdf/fresnel/mean",
                    .statement = "The closed form of a dielectric's mean reflectance is its integral, from both sides.",
-                   .source = "Duntley 1942; d'Eon & Irving 2011",
+                   .source = "[Duntley 1942; d'Eon & Irving 2011]",
                    .kind = Kind::bounded,
                    .trial = {mean_is_integral,
                              mean_fresnel_dielectric,
@@ -234,20 +234,20 @@ void add_microfacets(Catalogue& catalogue, MicrofacetShape shape, const std::str
     catalogue.add(
         {.id = fmt::format("bsdf/microfacets-{}/masking", name),
          .statement = "Smith's masking is good to 16 ulp from the horizon to the normal, at roughness 1e-4 to 1.",
-         .source = "Heitz 2014",
+         .source = "[Heitz 2014]",
          .kind = Kind::bounded,
          .trial = {[=](const Term& found) { return term_is(shape, found, true); }, g1_towards_normal, {masking}}});
     catalogue.add({.id = fmt::format("bsdf/microfacets-{}/density", name),
                    .statement = "The density of normals is good to 128 ulp within 5 roughnesses of the normal, at "
                                 "roughness 1e-4 to 1.",
-                   .source = "Walter et al. 2007, eq. 25, 33",
+                   .source = "[Walter et al. 2007, eqs. 25 and 33]",
                    .kind = Kind::bounded,
                    .trial = {[=](const Term& found) { return term_is(shape, found, false); }, d_at, {distribution}}});
 }
 
 }  // namespace
 
-void add_bsdf_term_claims(Catalogue& catalogue) {
+void add_surfaces_bsdf_terms(Catalogue& catalogue) {
     add_fresnel(catalogue);
     constexpr auto ggx = MicrofacetShape::ggx, beckmann = MicrofacetShape::beckmann;
     add_microfacets(catalogue, ggx, "ggx", {"beckmann", "The masking of Beckmann's distribution.", g1_of_beckmann},

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "scenes/geometry/embree_scene.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 
@@ -363,7 +363,7 @@ void add_plates(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_surface_claims(Catalogue& catalogue) {
+void add_surfaces_surfaces(Catalogue& catalogue) {
     add_closed(catalogue);
     add_plates(catalogue);
 }

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "scenes/bsdfs/texture.h"
 #include "scenes/scene.h"
+#include "scenes/textures/texture.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -116,12 +116,12 @@ Verdict pass_alike(const Plates& plates) {
 
 }  // namespace
 
-void add_texture_claims(Catalogue& catalogue) {
+void add_surfaces_textures(Catalogue& catalogue) {
     catalogue.add(
         {.id = "texture/bitmap/lookup",
          .statement = "Between its texels' centers, which lie at ((i + 1/2)/width, (j + 1/2)/height), a picture of a "
                       "bilinear function is that function, and repeats with period 1.",
-         .source = "ours, scenes/bsdfs/texture.h",
+         .source = "ours, scenes/textures/texture.h",
          .kind = Kind::bounded,
          .trial = {is_saddle,
                    looked_up,

@@ -6,8 +6,8 @@
 
 #include "integrators/integrators.h"
 #include "integrators/references/path_classes.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
-#include "verification/suites/suites.h"
 #include "verification/suites/transport/transport_subjects.h"
 
 namespace plumb::suites {
@@ -147,7 +147,7 @@ bool no_caustics_of_points(Transporter transporter, const PathClass& path) {
 
 }  // namespace
 
-void add_transport_class_claims(Catalogue& catalogue) {
+void add_transport_classes(Catalogue& catalogue) {
     catalogue.add({.id = "render/path-classes/predicate",
                    .statement =
                        "`path`, `light` and `bdpt` make the classes of paths that the predicate says, of those "

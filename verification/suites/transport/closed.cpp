@@ -4,9 +4,9 @@
 
 #include "estimators/densities/warps.h"
 #include "integrators/drivers/render.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
-#include "verification/suites/suites.h"
 #include "verification/suites/transport/transport_subjects.h"
 
 namespace plumb::suites {
@@ -165,7 +165,7 @@ void add_bdpt(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_transport_closed_claims(Catalogue& catalogue) {
+void add_transport_closed(Catalogue& catalogue) {
     add_path(catalogue);
     add_light(catalogue);
     add_bdpt(catalogue);

@@ -198,7 +198,7 @@ void add_bits(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_transport_driver_claims(Catalogue& catalogue) {
+void add_transport_drivers(Catalogue& catalogue) {
     add_means(catalogue);
     add_variance(catalogue);
     add_bits(catalogue);

@@ -1,8 +1,8 @@
 // `path`, `light` and `bdpt` estimate the same pictures, but for classes of paths that one cannot make: scenes here
 // have none of them in sight.
 
+#include "verification/claim.h"
 #include "verification/evidence/mean.h"
-#include "verification/suites/suites.h"
 #include "verification/suites/transport/transport_subjects.h"
 
 namespace plumb::suites {
@@ -204,7 +204,7 @@ void add_strategies(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_transport_equal_claims(Catalogue& catalogue) {
+void add_transport_equal(Catalogue& catalogue) {
     add_box(catalogue);
     add_rough(catalogue);
     add_caustic(catalogue);

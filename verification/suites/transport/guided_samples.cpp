@@ -127,59 +127,50 @@ Verdict same_mean(const Subject& subject, const PathEstimator& guided, const Run
 
 constexpr PathLimits limits{.max_edges = 4, .roulette_edges = 2};
 
-struct Defect {
-    std::string id, sentence;
-    Told told;
-};
-
-void add_guided(Catalogue& catalogue, const Subject& subject, const std::vector<Defect>& defects) {
-    const auto check = [=](Told told) {
-        return [=](const Run& run) { return same_mean(subject, Guided(subject.estimator, told), run); };
+void add_guided(Catalogue& catalogue, const Subject& subject, std::vector<Wrong<Told>> wrong) {
+    const auto check = [subject](Told told, const Run& run) {
+        return same_mean(subject, Guided(subject.estimator, told), run);
     };
-    Claim claim{.id = fmt::format("render/{}/guided/veil", subject.name),
-                .statement = fmt::format("Numbers of any positive density leave the mean of `{}` as it is, of a floor "
-                                         "behind a veil.",
-                                         subject.name),
-                .source = "ours, integrators/paths/path_estimator.h",
-                .kind = Kind::mean,
-                .check = check(of_all),
-                .mutants = {{"density-ignored", "Numbers are taken for uniform ones.", check(of_none)}}};
-    for (const Defect& defect : defects) claim.mutants.push_back({defect.id, defect.sentence, check(defect.told)});
-    catalogue.add(std::move(claim));
+    wrong.insert(wrong.begin(), {"density-ignored", "Numbers are taken for uniform ones.", of_none});
+    catalogue.add({.id = fmt::format("render/{}/guided/veil", subject.name),
+                   .statement = fmt::format("Numbers of any positive density leave the mean of `{}` as it is, of a "
+                                            "floor behind a veil.",
+                                            subject.name),
+                   .source = "ours, integrators/paths/path_estimator.h",
+                   .kind = Kind::mean,
+                   .trial = {check, of_all, std::move(wrong)}});
 }
 
 void add_first_hit(Catalogue& catalogue, const std::vector<Subject>& subjects) {
-    const auto check = [=](bool weighted) {
-        return [=](const Run& run) {
-            std::vector<Verdict> parts;
-            for (const Subject& subject : subjects) {
-                const Made depth = std::make_shared<Depth>(subject.estimator, weighted);
-                const Subject seen{subject.name, depth, 1, 2.3};
-                parts.push_back(same_mean(seen, Guided(depth, of_all),
-                                          run.part(subject.name, 1 / static_cast<double>(subjects.size()))));
-            }
-            return all_of(std::move(parts));
-        };
+    const auto check = [subjects](bool weighted, const Run& run) {
+        std::vector<Verdict> parts;
+        for (const Subject& subject : subjects) {
+            const Made depth = std::make_shared<Depth>(subject.estimator, weighted);
+            const Subject seen{subject.name, depth, 1, 2.3};
+            parts.push_back(same_mean(seen, Guided(depth, of_all),
+                                      run.part(subject.name, 1 / static_cast<double>(subjects.size()))));
+        }
+        return all_of(std::move(parts));
     };
-    catalogue.add({.id = "render/layers/guided/veil",
-                   .statement =
-                       "Numbers of any positive density leave the mean depth of what is seen first as it is, by every "
-                       "integrator.",
-                   .source = "ours, integrators/paths/path_estimator.h",
-                   .kind = Kind::mean,
-                   .check = check(true),
-                   .mutants = {{"unweighted", "The density of the first hit's numbers is ignored.", check(false)}}});
+    catalogue.add(
+        {.id = "render/layers/guided/veil",
+         .statement = "Numbers of any positive density leave the mean depth of what is seen first as it is, by every "
+                      "integrator.",
+         .source = "ours, integrators/paths/path_estimator.h",
+         .kind = Kind::mean,
+         .trial = {check, true, {{"unweighted", "The density of the first hit's numbers is ignored.", false}}}});
 }
 
 }  // namespace
 
-void add_guided_sample_claims(Catalogue& catalogue) {
-    const Defect no_film{"film-left-out", "The density of film points is ignored.", of_all_but<Use::film>};
-    const Defect no_mask{"mask-left-out", "The density of what decides about masks is ignored.",
-                         of_all_but<Use::shadow>};
-    const Defect no_light{"light-left-out", "The density of the choice of lights is ignored.", of_all_but<Use::light>};
-    const Defect no_direction{"direction-left-out", "The density of directions is ignored.",
-                              of_all_but<Use::direction>};
+void add_transport_guided_samples(Catalogue& catalogue) {
+    const Wrong<Told> no_film{"film-left-out", "The density of film points is ignored.", of_all_but<Use::film>};
+    const Wrong<Told> no_mask{"mask-left-out", "The density of what decides about masks is ignored.",
+                              of_all_but<Use::shadow>};
+    const Wrong<Told> no_light{"light-left-out", "The density of the choice of lights is ignored.",
+                               of_all_but<Use::light>};
+    const Wrong<Told> no_direction{"direction-left-out", "The density of directions is ignored.",
+                                   of_all_but<Use::direction>};
     const Subject aov{"aov", std::make_shared<Aov>(), 1, 0.52};
     const Subject direct{"direct", std::make_shared<Direct>(), 0, 0.3};
     const Subject path{"path", std::make_shared<PathTracer>(limits), 0, 0.3};

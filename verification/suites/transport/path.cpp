@@ -8,10 +8,10 @@
 #include "integrators/paths/vertex.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/direct/direct_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -214,7 +214,7 @@ void add_glass(Catalogue& catalogue) {
     catalogue.add(
         {.id = "render/path/glass",
          .statement = "A ball of smooth glass cannot be seen under a white sky: every path carries 1.",
-         .source = "Veach 1997, section 5.2",
+         .source = "[Veach 1997, section 5.2]",
          .kind = Kind::mean,
          .trial = {
              check,
@@ -316,7 +316,7 @@ void add_replay(Catalogue& catalogue) {
 
 }  // namespace
 
-void add_path_claims(Catalogue& catalogue) {
+void add_transport_path(Catalogue& catalogue) {
     add_furnace(catalogue);
     add_spheres(catalogue);
     add_glass(catalogue);

@@ -6,9 +6,9 @@
 
 #include "analytic/radiosity_cases.h"
 #include "integrators/estimators/path.h"
+#include "verification/claim.h"
 #include "verification/evidence/mean.h"
 #include "verification/suites/direct/direct_subjects.h"
-#include "verification/suites/suites.h"
 
 namespace plumb::suites {
 namespace {
@@ -90,7 +90,7 @@ void add(Catalogue& catalogue, const RadiosityCase& subject) {
 
 }  // namespace
 
-void add_transport_radiosity_claims(Catalogue& catalogue) {
+void add_transport_radiosity(Catalogue& catalogue) {
     for (const RadiosityCase& subject : radiosity_cases()) add(catalogue, subject);
 }
 

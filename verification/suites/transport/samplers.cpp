@@ -2,9 +2,9 @@
 // seconds.
 
 #include "integrators/drivers/region_estimate.h"
+#include "verification/claim.h"
 #include "verification/evidence/convergence.h"
 #include "verification/evidence/ratio.h"
-#include "verification/suites/suites.h"
 #include "verification/suites/transport/transport_subjects.h"
 
 namespace plumb::suites {
@@ -59,7 +59,7 @@ Verdict gain(const std::vector<Numbers>& samplers, const Run& run) {
 
 }  // namespace
 
-void add_transport_sampler_claims(Catalogue& catalogue) {
+void add_transport_samplers(Catalogue& catalogue) {
     const auto with = [](const std::vector<Numbers>& samplers, const Run& run) { return gain(samplers, run); };
     catalogue.add(
         {.id = "render/path/samplers",

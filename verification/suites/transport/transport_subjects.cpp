@@ -99,9 +99,8 @@ const Scene& box_scene() {
         add_plate(box, {-0.1, 0, -1}, {0.6, 0, 0}, {0, 0, 1 + top}, white);
         add_plate(box, {-0.1, 0, -1}, {0, 0, 1 + top}, {0, 0.6, 0}, white);
         box.sensor = camera({0, -3.4, 0.1}, {0, 0, 0}, 40, 32, 32);
-        box.sensor->film.filter = {description::FilterKind::gaussian, 2, 0.5};
-        box.sensor->aperture_radius = 0.08;
-        box.sensor->focus_distance = 3;
+        box.sensor->film.filter = GaussianFilter(0.5);
+        box.sensor->kind = description::ThinLens{.fov_x = 40, .aperture_radius = 0.08, .focus_distance = 3};
         return box;
     }());
     return scene;
@@ -130,7 +129,7 @@ const Scene& rough_scene() {
         rough.emitters.push_back({description::ConstantSky{Spectrum::grey(0.8)}, {}});
         rough.emitters.push_back({description::PointLight{{0, -0.5, 1.2}, Spectrum::grey(5)}, {}});
         rough.sensor = camera({0, -3, 2.5}, {0, -0.3, -0.6}, 50, 32, 32);
-        rough.sensor->film.filter = {description::FilterKind::tent, 1, 0.5};
+        rough.sensor->film.filter = TentFilter(1);
         return rough;
     }());
     return scene;

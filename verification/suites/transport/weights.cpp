@@ -1,8 +1,8 @@
 // Weights of all strategies of bidirectional tracing, on paths that it made: they sum to 1, and are those that products
 // of densities give, recomputed from the positions of the path's vertices alone.
 
+#include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
-#include "verification/suites/suites.h"
 #include "verification/suites/transport/transport_subjects.h"
 
 namespace plumb::suites {
@@ -185,7 +185,7 @@ double choice_ignored(const PathChain& chain, int t) {
 
 }  // namespace
 
-void add_transport_weight_claims(Catalogue& catalogue) {
+void add_transport_weights(Catalogue& catalogue) {
     catalogue.add({.id = "render/bdpt/weights-sum",
                    .statement = "The weights of all strategies that can make a path of up to 8 edges sum to 1.",
                    .source = "[Veach 1997, section 9.2]",

@@ -1,4 +1,4 @@
-#include "scenes/bsdfs/texture.h"
+#include "scenes/textures/texture.h"
 
 #include "scenes/test_files.h"
 

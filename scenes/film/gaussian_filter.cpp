@@ -1,21 +1,12 @@
-#include "scenes/film/filters.h"
+#include "scenes/film/gaussian_filter.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <boost/math/special_functions/erf.hpp>
 #include <numbers>
-
-#include "core/error.h"
 
 namespace plumb {
 
 namespace {
-
-double positive(double value, const char* what) {
-    if (!(value > 0 && std::isfinite(value)))
-        throw Error(fmt::format("{} is {}: it must be positive and finite", what, value));
-    return value;
-}
 
 // Doubles are accurate enough; in long doubles, which is Boost's default, it takes three times as long.
 using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
@@ -24,10 +15,14 @@ const double mass_within_four_sigma = std::erf(4 / std::numbers::sqrt2);
 
 }  // namespace
 
-TentFilter::TentFilter(double radius) : radius_(positive(radius, "tent filter: the radius")) {}
-
 GaussianFilter::GaussianFilter(double standard_deviation)
-    : sigma_(positive(standard_deviation, "gaussian filter: the standard deviation")) {}
+    : sigma_(positive_size(standard_deviation, "gaussian filter: the standard deviation")) {}
+
+GaussianFilter GaussianFilter::load(description::Properties& properties) {
+    const double standard_deviation = properties.number("stddev", 0.5);
+    checked_radius(properties, 4 * standard_deviation);
+    return GaussianFilter(standard_deviation);
+}
 
 double GaussianFilter::sample(double u) const {
     const double x =

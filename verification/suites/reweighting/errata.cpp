@@ -1,18 +1,12 @@
-#include "verification/suites/reweighting/subjects_1d.h"
+// What the thesis states and our claims refute.
 
-#include "verification/suites/suites.h"
+#include "verification/claim.h"
 
 namespace plumb::suites {
 
-void add_reweighting_1d_claims(Catalogue& catalogue) {
-    add_reweighting_1d_exact_claims(catalogue);
-    add_reweighting_1d_bounded_claims(catalogue);
-    add_reweighting_1d_mean_claims(catalogue);
-    add_reweighting_1d_density_claims(catalogue);
-    add_reweighting_1d_rate_claims(catalogue);
-
+void add_reweighting_errata(Catalogue& catalogue) {
     catalogue.add(Erratum{
-        "thesis, section 4.4.2 and appendix A.2",
+        "[thesis, section 4.4.2] and appendix A.2",
         "Weights of periodically augmented samples give a biased estimate: E = ∫ [1 + (1−x)^{N−2} ((1−x)(N+x−1) − "
         "N(N+x−2))/2] f(x) dx (the printed integrand, simplified).",
         "On the circle E|V| = 1/N wherever the sample lies, so the estimate is unbiased for every N. The printed "
@@ -23,7 +17,7 @@ void add_reweighting_1d_claims(Catalogue& catalogue) {
         "do not.",
         "reweighting/torus-cells-1d/exact"});
     catalogue.add(
-        Erratum{"thesis, section 4.5.1",
+        Erratum{"[thesis, section 4.5.1]",
                 "The unbiased estimator (eq. 4.8) asymptotically achieves the rate of Yakowitz et al., O(N^{-4/D}).",
                 "Where f(0) or f(1) is not 0 its MSE falls like N^-2: the boundary cell, of length O(1/N), is off by a "
                 "random factor "
@@ -36,7 +30,7 @@ void add_reweighting_1d_claims(Catalogue& catalogue) {
                 "first stratum, "
                 "mirrored in the last; with the g of i.i.d. samples e^x is overestimated by 3.8 % at N = 4.",
                 "reweighting/stratified-reweighted/unbiased"});
-    catalogue.add(Erratum{"thesis, section 4.4.4",
+    catalogue.add(Erratum{"[thesis, section 4.4.4]",
                           "Reweighting the strata of a piecewise-constant density, each by itself, introduces no bias.",
                           "Only with counts ≥ 1 fixed beforehand: i.i.d. samples of the density leave strata empty and "
                           "lose their integral, "

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "scenes/bsdfs/microfacet.h"
+#include "scenes/description/properties.h"
+
+namespace plumb::description {
+
+enum class Microfacets { beckmann, ggx };
+
+/// Of the rough materials: how their facets are distributed.
+struct Roughness {
+    Microfacets distribution = Microfacets::beckmann;
+    double alpha = 0.1;  ///< root mean square slope (Beckmann) or its analogue (GGX), > 0
+
+    static Roughness load(Properties& properties);
+    [[nodiscard]] plumb::Microfacets facets() const {
+        return {distribution == Microfacets::ggx ? MicrofacetShape::ggx : MicrofacetShape::beckmann, alpha};
+    }
+};
+
+}  // namespace plumb::description

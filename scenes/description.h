@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes/bsdfs/all.h"
+#include "scenes/emitters/all.h"
+#include "scenes/geometry/shape.h"
+#include "scenes/sensors/all.h"
+#include "scenes/textures/texture.h"
+
+/// A loaded scene as plain data: what the file says, with references resolved to indices and defaults filled in,
+/// whatever format it was written in and whoever traces rays in it. Each family of models has its list: all.h in
+/// scenes/{textures,bsdfs,geometry,emitters,sensors}, and scenes/film/filters.h.
+namespace plumb::description {
+
+/// Something in the file that was not followed: ignored because it only advises, or replaced because lenient.
+struct Note {
+    enum class Kind { ignored, replaced } kind = Kind::ignored;
+    Place place;
+    std::string text;
+};
+
+struct Scene {
+    std::vector<Texture> textures;
+    std::vector<Material> materials;
+    std::vector<Shape> shapes;
+    std::vector<Emitter> emitters;
+    std::optional<Sensor> sensor;  ///< the first one of the file
+    std::vector<Note> notes;
+    std::uint64_t content_hash = 0;  ///< of the text after includes and $names, and of every file that it names
+};
+
+}  // namespace plumb::description

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "scenes/emitters/constant_environment.h"
+#include "scenes/emitters/disk_light.h"
+#include "scenes/emitters/environment_map.h"
+#include "scenes/emitters/mesh_light.h"
+#include "scenes/emitters/point_light.h"
+#include "scenes/emitters/rectangle_light.h"
+#include "scenes/emitters/sphere_light.h"
+
+namespace plumb {
+
+namespace description {
+
+/// All emitters without a shape, each with `light()`, the emitter that it becomes.
+using EmitterModels = Types<ConstantSky, EnvironmentMap, PointLight>;
+
+/// An emitter without a shape, as the file has it.
+struct Emitter {
+    OneOf<EmitterModels> kind;
+    Place place;
+};
+
+template <class... Models>
+Types<decltype(std::declval<const Models&>().light())...> lights_of(Types<Models...>);
+
+}  // namespace description
+
+/// All lights that a shape can be, each with `of(geometry, radiance)` for geometry that it takes (empty: it does not
+/// after all). The first that takes a shape is its light.
+using AreaLights = description::Types<RectangleLight, MeshLight, SphereLight, DiskLight>;
+
+/// All emitters, under the conventions of scenes/emitters/emitter.h.
+using Lights = description::Joined<AreaLights, decltype(lights_of(description::EmitterModels{}))>;
+
+}  // namespace plumb
