@@ -39,13 +39,15 @@ void write_side_record(const std::filesystem::path& file, const std::vector<Fiel
 
 std::vector<Field> bad_values_of(const Film& film) {
     const BadValues& bad = film.bad_values();
-    return {{"nan", bad.nan}, {"infinite", bad.infinite}, {"negative", bad.negative}};
+    return {{"nan", bad.nan}, {"infinite", bad.infinite}, {"negative", bad.negative}, {"large", bad.large}};
 }
 
 void print_bad_values(const BadValues& bad) {
     if (bad == BadValues{}) return;
-    fmt::print("values that should not be: {} NaN, {} infinite, {} negative; NaN and infinite ones count as 0\n",
-               bad.nan, bad.infinite, bad.negative);
+    fmt::print(
+        "values that should not be: {} NaN, {} infinite, {} negative, {} of 2^31 and more; NaN and infinite ones "
+        "count as 0\n",
+        bad.nan, bad.infinite, bad.negative, bad.large);
 }
 
 }  // namespace plumb::cli

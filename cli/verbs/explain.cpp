@@ -20,13 +20,15 @@ void cut(RenderSettings& settings, std::uint32_t samples, std::uint32_t passes) 
 }
 
 int explain(const ExplainOptions& options) {
-    const auto estimator = estimator_of(options);
+    const RenderMethod method = method_of(options);
+    const auto estimator = estimator_of(method);
     require_writable({options.json});
     const Session session(options.seed, 1);
     const Scene scene = load_scene(options);
     RenderSettings settings = settings_of(options, session.run.seed, scene.sensor().film());
     if (options.replicates > 0) cut(settings, options.samples_per_pixel, options.replicates);
-    const Explanation told = explain(scene, *estimator, settings, options.x, options.y, options.sample);
+    const RenderJob job = job_of(method, scene, *estimator, settings);
+    const Explanation told = explain(job, options.x, options.y, options.sample);
     const ExplainedSample sample{options, scene, told};
     if (!options.json.empty()) write_file(options.json, explanation_json(sample));
     fmt::print("{}", explanation_text(sample));

@@ -4,6 +4,8 @@
 #include "cli/verb.h"
 #include "cli/verbs/lists.h"
 #include "estimators/estimator.h"
+#include "integrators/drivers/drivers.h"
+#include "integrators/drivers/sampler.h"
 #include "integrators/integrators.h"
 #include "scenes/mitsuba/plugins.h"
 #include "scenes/shipped/shipped.h"
@@ -35,10 +37,31 @@ void append_estimators(std::vector<reports::ListRow>& rows) {
                         {"source", e.source}});
 }
 
-std::vector<reports::ListRow> integrator_rows() {
+// name=default (accepted), of each.
+std::string text_of(const std::vector<Parameter>& parameters) {
+    std::string all;
+    for (const Parameter& one : parameters)
+        all += fmt::format("{}{}={} ({}): {}", all.empty() ? "" : "; ", one.name, usual_of(one), accepted_by(one),
+                           one.summary);
+    return all;
+}
+
+// Of what takes parameters.
+template <class Named>
+std::vector<reports::ListRow> method_rows(const std::vector<Named>& list) {
     std::vector<reports::ListRow> rows;
-    for (const NamedIntegrator& i : integrators())
-        rows.push_back({{"id", i.id}, {"summary", i.summary}, {"source", i.source}});
+    for (const Named& one : list)
+        rows.push_back({{"id", one.id},
+                        {"summary", one.summary},
+                        {"parameters", text_of(one.parameters)},
+                        {"source", one.source}});
+    return rows;
+}
+
+std::vector<reports::ListRow> sampler_rows() {
+    std::vector<reports::ListRow> rows;
+    for (const PointSet<2>& set : samplers())
+        rows.push_back({{"id", set.id}, {"summary", set.summary}, {"source", set.source}});
     return rows;
 }
 
@@ -68,7 +91,9 @@ Lists shipped_lists(const Catalogue& catalogue) {
     Lists lists = catalogue_lists(catalogue);
     lists["integrands"] = both_dimensions<append_integrands<1>, append_integrands<2>>;
     lists["estimators"] = both_dimensions<append_estimators<1>, append_estimators<2>>;
-    lists["integrators"] = integrator_rows;
+    lists["integrators"] = [] { return method_rows(integrators()); };
+    lists["drivers"] = [] { return method_rows(drivers()); };
+    lists["samplers"] = sampler_rows;
     lists["scenes"] = scene_rows;
     for (const char* kind : {"bsdf", "emitter", "sensor", "shape", "texture"})
         lists[std::string(kind) + "s"] = [kind] { return plugin_rows(kind); };
@@ -81,8 +106,8 @@ Verb list_all() {
     return {"list", "List what Plumb knows", [](CLI::App& verb) {
                 verb.footer("Example: plumb list integrands --json");
                 return add_list(verb,
-                                "claims, mutants, integrands, estimators, integrators, scenes, bsdfs, emitters, "
-                                "sensors, shapes or textures",
+                                "claims, mutants, integrands, estimators, integrators, drivers, samplers, scenes, "
+                                "bsdfs, emitters, sensors, shapes or textures",
                                 shipped_lists);
             }};
 }

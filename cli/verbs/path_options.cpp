@@ -4,7 +4,6 @@
 
 #include "cli/common_options.h"
 #include "cli/values.h"
-#include "integrators/drivers/sampler.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
 #include "scenes/shipped/shipped.h"
 
@@ -13,7 +12,17 @@ namespace plumb::cli {
 void add_transport(CLI::App& verb, PathOptions& options) {
     verb.add_option("scene", options.scene, "a scene in Mitsuba's XML, or the name of a shipped one")->required();
     verb.add_option("--integrator", options.integrator, "see plumb list integrators")->capture_default_str();
-    verb.add_option("--sampler", options.sampler, "independent, stratified or sobol")->capture_default_str();
+    verb.add_option("--driver", options.driver, "which paths, in which passes: see plumb list drivers")
+        ->capture_default_str();
+    verb.add_option("--sampler", options.sampler, "see plumb list samplers; sobol is sobol-owen")
+        ->capture_default_str();
+    verb.add_option_function<std::vector<std::string>>(
+            "-P",
+            [&](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) options.parameters.insert(parse_parameter(text));
+            },
+            "name=value for a parameter of the integrator or the driver")
+        ->check(checked(parse_parameter));
     verb.add_option("--max-depth", options.max_depth,
                     "longest paths, in edges from the sensor (1: lights seen directly); -1: no limit")
         ->check(CLI::Range(-1, 30000))
@@ -44,14 +53,10 @@ void add_paths(CLI::App& verb, PathOptions& options) {
     add_parsed(verb, "--crop", options.crop, parse_crop, "only these pixels: x,y,width,height");
 }
 
-PathLimits limits_of(const PathOptions& options) {
+RenderMethod method_of(const PathOptions& options) {
     PathLimits limits{options.max_depth, options.roulette_depth, options.length};
     if (!options.strategy.empty()) limits.strategy = Strategy{options.strategy[0], options.strategy[1]};
-    return limits;
-}
-
-std::unique_ptr<PathEstimator> estimator_of(const PathOptions& options) {
-    return make_integrator(options.integrator, limits_of(options));
+    return resolved({options.integrator, options.driver, options.sampler, limits, options.parameters});
 }
 
 Scene load_scene(const PathOptions& options) {
@@ -59,11 +64,10 @@ Scene load_scene(const PathOptions& options) {
 }
 
 RenderSettings settings_of(const PathOptions& options, std::uint64_t seed, FilmSize film) {
-    RenderSettings settings{.sampler = options.sampler, .seed = seed, .crop = {0, 0, film.width, film.height}};
+    RenderSettings settings{.seed = seed, .crop = {0, 0, film.width, film.height}};
     if (const std::vector<int>& crop = options.crop; !crop.empty())
         settings.crop = {crop[0], crop[1], crop[2], crop[3]};
     check_crop(settings.crop, film);
-    Sampler(settings.sampler, 1);  // knows the name, or says so before the work begins
     return with_samples(settings, options.samples_per_pixel);
 }
 

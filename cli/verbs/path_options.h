@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "integrators/drivers/render.h"
-#include "integrators/integrators.h"
+#include "integrators/method.h"
 
 namespace CLI {
 class App;
@@ -19,7 +19,8 @@ namespace plumb::cli {
 /// Which paths of which scene.
 struct PathOptions {
     std::string scene;  ///< a file, or the name of a shipped one
-    std::string integrator = "direct", sampler = "independent";
+    std::string integrator = "direct", driver = "pixels", sampler = "independent";
+    ParameterTexts parameters;               ///< of any of these
     int max_depth = -1, roulette_depth = 5;  ///< in edges; -1: no limit
     int length = 0;                          ///< in edges: paths of this length alone; 0: all
     std::vector<int> strategy;               ///< s, t of bdpt; empty: all
@@ -35,11 +36,10 @@ void add_transport(CLI::App& verb, PathOptions& options);
 /// These, and which of its paths.
 void add_paths(CLI::App& verb, PathOptions& options);
 
-PathLimits limits_of(const PathOptions& options);
-/// The integrator that the options name, held to their limits.
-std::unique_ptr<PathEstimator> estimator_of(const PathOptions& options);
+/// Integrator, driver and sampler that the options name, resolved. Throws Error for what is not accepted.
+RenderMethod method_of(const PathOptions& options);
 Scene load_scene(const PathOptions& options);
-/// Passes and pixels; the seed is given. Throws Error for an unknown sampler, or a crop that is not within the film.
+/// Passes and pixels; the seed is given. Throws Error for a crop that is not within the film.
 RenderSettings settings_of(const PathOptions& options, std::uint64_t seed, FilmSize film);
 
 }  // namespace plumb::cli

@@ -28,10 +28,10 @@ struct Options : RenderOptions {
 
 // What the picture will lack is not noise, and no error tells it.
 void print_what_is_left_out(const std::string& integrator, const Scene& scene) {
-    const MakesPath by = find_integrator(integrator).makes.path;
-    constexpr int most_edges = 4;
+    const Makes& makes = find_integrator(integrator).makes;
+    const int most_edges = std::min(4, makes.longest.value_or(4));
     std::vector<std::string> classes;
-    for (const PathClass& path : left_out(by, scene, most_edges)) classes.push_back(to_string(path));
+    for (const PathClass& path : left_out(makes.path, scene, most_edges)) classes.push_back(to_string(path));
     if (!classes.empty())
         fmt::print("`{}` leaves out light that `bdpt` finds in this scene, such as {}\n", integrator, classes.front());
 }
@@ -43,7 +43,7 @@ int reference(const Options& options) {
     wanted.limits.max_edges = options.max_depth;
     if (!wanted.is_radiance())
         throw Error(fmt::format("the integrator '{}' makes no pictures to compare others with", options.integrator));
-    estimator_of(options);  // or says which lengths it has
+    method_of(options);  // or says which lengths it has
     const std::filesystem::path file = reference_file(options.cache, wanted);
     if (const auto found = find_reference(options.cache, wanted)) {
         const Provenance& has = found->provenance;

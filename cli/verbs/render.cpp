@@ -30,11 +30,14 @@ void print_notes(const description::Scene& scene) {
 }
 
 // What the picture is a function of.
-Provenance provenance(const RenderOptions& options, const RenderSettings& settings, const Scene& scene) {
-    Provenance p = identity_of(options.scene, scene.description());
-    p.integrator = options.integrator;
-    p.sampler = settings.sampler;
-    p.limits = limits_of(options);
+Provenance provenance(const std::string& scene_name, const RenderMethod& method, const RenderSettings& settings,
+                      const Scene& scene) {
+    Provenance p = identity_of(scene_name, scene.description());
+    p.integrator = method.integrator;
+    p.driver = method.driver;
+    p.sampler = method.sampler;
+    p.parameters = method.parameters;
+    p.limits = method.limits;
     p.seed = settings.seed;
     p.samples_per_pixel = std::uint64_t{settings.passes} * settings.samples_per_pass;
     p.replicates = settings.passes;
@@ -93,14 +96,12 @@ private:
     Session& session_;
 };
 
-RenderedUntil rendered(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings,
-                       const RenderOptions& options, Watch& watch) {
+RenderedUntil rendered(const RenderJob& job, const RenderOptions& options, Watch& watch) {
     if (options.error)
-        return render_until(job_of(scene, estimator, settings), *options.error,
-                            options.most_samples / settings.samples_per_pass,
+        return render_until(job, *options.error, options.most_samples / job.settings.samples_per_pass,
                             {[&](std::uint64_t passes, const FilmError& error) { watch.look(passes, error); },
                              [&](const RenderProgress& progress) { watch.double_passes(progress); }});
-    Rendered all = render(scene, estimator, settings, std::ref(watch));
+    Rendered all = render(job, std::ref(watch));
     const FilmError error = error_of(all.film);
     return {std::move(all), error, true};
 }
@@ -136,7 +137,8 @@ CLI::Option* add_error(CLI::App& verb, RenderOptions& options) {
 }
 
 int render(const RenderOptions& options, const std::function<Scene()>& load) {
-    const auto estimator = estimator_of(options);
+    const RenderMethod method = method_of(options);
+    const auto estimator = estimator_of(method);
     const fs::path file = scene_file(options.scene);
     const fs::path out = output_of(options, file);
     require_writable({out});
@@ -151,10 +153,10 @@ int render(const RenderOptions& options, const std::function<Scene()>& load) {
 
     std::optional<RenderedUntil> done;
     Watch watch(options.time, options.error, session);
-    session.work([&] { done = rendered(scene, *estimator, settings, options, watch); });
+    session.work([&] { done = rendered(job_of(method, scene, *estimator, settings), options, watch); });
     const auto& [picture, error, met] = *done;
     if (options.time || options.error) settings.passes = static_cast<std::uint32_t>(picture.film.replicates());
-    const auto of = metadata_of(provenance(options, settings, scene));
+    const auto of = metadata_of(provenance(options.scene, method, settings, scene));
     if (options.shard)
         write_film_part(out, {of, static_cast<std::uint32_t>(options.shard->index),
                               static_cast<std::uint32_t>(options.shard->count), picture.rays, picture.film});
