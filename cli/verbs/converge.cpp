@@ -2,7 +2,6 @@
 
 #include "analytic/integrand.h"
 #include "cli/common_options.h"
-#include "cli/converge_images.h"
 #include "cli/session.h"
 #include "cli/verb.h"
 #include "core/error.h"
@@ -12,6 +11,7 @@
 #include "reports/run/html.h"
 #include "reports/run/json.h"
 #include "reports/run/table.h"
+#include "studies/image_series.h"
 #include "studies/measure.h"
 #include "studies/scene_series.h"
 
@@ -73,9 +73,21 @@ std::vector<Series> measure_all(const std::string& on, const Options& options, c
     return series;
 }
 
+// Of images that somebody has, in place of estimators and integrands.
+int converge_images(const Options& options) {
+    require_writable({options.json, options.report});
+    const ImageSeries measured = measure_images(options.images, options.reference);
+    const reports::RunInfo info = Session(0, options.threads).run;
+    const std::vector<Series> all{measured.series};
+    if (!options.json.empty()) write_file(options.json, reports::converge_json(info, all, std::vector{measured.said}));
+    if (!options.report.empty()) reports::write_converge_report(info, all, options.report);
+    fmt::print("{}truth of {}\n", text_of(measured, terminal_style().width), measured.said);
+    if (!options.report.empty()) fmt::print("report: {}\n", options.report);
+    return 0;
+}
+
 int converge(const Options& options) {
-    if (!options.images.empty())
-        return converge_images({options.images, options.reference, options.threads, options.json, options.report});
+    if (!options.images.empty()) return converge_images(options);
     if (options.estimators.empty() || options.integrands.empty())
         throw Error("converge: what? Give estimators and --on, or --images and --reference");
     check_names(options);

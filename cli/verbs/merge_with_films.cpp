@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
-#include "cli/picture_file.h"
 #include "cli/verb.h"
+#include "cli/verbs/picture_file.h"
 #include "core/file.h"
 #include "scenes/film/film_part.h"
 

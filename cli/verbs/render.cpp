@@ -4,10 +4,10 @@
 #include <filesystem>
 
 #include "cli/common_options.h"
-#include "cli/picture_file.h"
 #include "cli/session.h"
 #include "cli/values.h"
 #include "cli/verb.h"
+#include "cli/verbs/picture_file.h"
 #include "integrators/drivers/render_until.h"
 #include "integrators/references/scene_identity.h"
 #include "scenes/film/film_part.h"

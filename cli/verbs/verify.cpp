@@ -1,13 +1,10 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <csignal>
-#include <iterator>
-#include <set>
-#include <sstream>
 
+#include "checks/sampler/sampler.h"
 #include "cli/common_options.h"
 #include "cli/judge_watched.h"
-#include "cli/sampler.h"
 #include "cli/session.h"
 #include "cli/values.h"
 #include "cli/verb.h"
@@ -15,6 +12,7 @@
 #include "core/random.h"
 #include "core/shard.h"
 #include "core/version.h"
+#include "reports/run/planning.h"
 #include "reports/run/store.h"
 
 namespace plumb::cli::verbs {
@@ -28,98 +26,26 @@ struct Options : Outputs {
     std::optional<std::uint64_t> seed;  ///< empty: a new one
     int threads = 0;                    ///< 0: as many as the hardware has
     Shard shard;
-    bool resume = false;   ///< the newest unfinished run of the store, whose settings stand
-    SamplerTrial sampler;  ///< instead of the catalogue; without a command: none
+    bool resume = false;           ///< the newest unfinished run of the store, whose settings stand
+    checks::SamplerTrial sampler;  ///< instead of the catalogue; without a command: none
 };
 
-/// A run that is stored, and what of it is still to be judged.
-struct Plan {
-    reports::RunInfo run;
-    std::int64_t number = 0;
-    std::vector<Item> items = {};
-    std::size_t done = 0;  ///< verdicts that are stored already
-};
-
-Size size_of(const reports::RunInfo& run) {
-    return run.size == "full" ? Size::full : Size::quick;
-}
-
-std::vector<std::string> patterns_of(const reports::RunInfo& run) {
-    std::istringstream words(run.patterns);
-    return {std::istream_iterator<std::string>(words), {}};
-}
-
-// Two runs whose claims or shares differ must not be mixed.
-std::string fingerprint(const Catalogue& catalogue, const std::vector<Item>& items, Size size) {
-    std::string all;
-    for (const Item& item : items)
-        all += fmt::format("{} {} {}\n", item.position, item.id(), catalogue.share(*item.claim, size));
-    return fmt::format("{:016x}", stream_id(all));
-}
-
-std::vector<reports::ErratumEntry> errata_of(const Catalogue& catalogue) {
-    std::vector<reports::ErratumEntry> entries;
-    for (const Erratum& e : catalogue.errata()) entries.push_back({e.source, e.printed, e.correct, e.claim});
-    return entries;
-}
-
-Plan new_plan(const Catalogue& catalogue, const Options& options) {
-    Plan plan{Session(options.seed, options.threads).run};
-    plan.run.alpha = options.alpha;
-    plan.run.size = options.full ? "full" : "quick";
-    plan.run.patterns = fmt::format("{}", fmt::join(options.patterns, " "));
-    plan.run.shard = options.shard.index;
-    plan.run.shards = options.shard.count;
-    const std::vector<Item> selected = select(catalogue, size_of(plan.run), options.patterns);
-    plan.run.selected = selected.size();
-    plan.run.fingerprint = fingerprint(catalogue, selected, size_of(plan.run));
-    plan.items = shard_of(selected, options.shard);
-    plan.number = reports::Store(options.store, reports::Store::Access::append).begin(plan.run, errata_of(catalogue));
-    return plan;
-}
-
-Plan unfinished_plan(const Catalogue& catalogue, const Options& options) {
-    const reports::Store store(options.store, reports::Store::Access::read);
-    const std::vector<reports::StoredRun> runs = store.runs();
-    const auto stored =
-        std::find_if(runs.rbegin(), runs.rend(), [](const reports::StoredRun& r) { return !r.run.finished; });
-    if (stored == runs.rend())
-        throw Error(fmt::format("{}: no run is unfinished: there is nothing to resume", options.store));
-    Plan plan{stored->run, stored->id};
-    if (plan.run.version != version)
-        throw Error(fmt::format("{}: run {} was begun by version {}; only that one can go on with it, this is {}",
-                                options.store, plan.number, plan.run.version, version));
-    plan.items = select(catalogue, size_of(plan.run), patterns_of(plan.run));
-    if (fingerprint(catalogue, plan.items, size_of(plan.run)) != plan.run.fingerprint)
-        throw Error(fmt::format("{}: the claims have changed since run {} was begun; verify them anew", options.store,
-                                plan.number));
-    plan.items = shard_of(std::move(plan.items), {plan.run.shard, plan.run.shards});
-    const reports::Results results = store.load(plan.number);
-    std::set<std::uint64_t> judged;
-    for (const reports::ClaimResult& claim : results.claims) judged.insert(claim.position);
-    for (const reports::MutantResult& mutant : results.mutants) judged.insert(mutant.position);
-    plan.done = std::erase_if(plan.items, [&](const Item& item) { return judged.contains(item.position); });
-    return plan;
-}
-
-void append(reports::Results& results, Judged one, double alpha_share) {
-    const Claim& claim = *one.claim;
-    if (one.mutant) {
-        const bool killed = one.verdict.outcome == Outcome::refuted;
-        results.mutants.push_back(
-            {one.id(), claim.id, one.mutant->defect, std::move(one.verdict), killed, one.seconds, one.position});
-    } else {
-        results.claims.push_back({claim.id, claim.statement, claim.source, claim.kind, std::move(one.verdict),
-                                  alpha_share, one.seconds, claim.no_mutant, one.position});
-    }
+// The run that the options ask for, begun or gone on with.
+reports::RunPlan plan_of(const Options& options, const Catalogue& catalogue) {
+    if (options.resume) return reports::unfinished_run(catalogue, options.store);
+    reports::RunInfo run = Session(options.seed, options.threads).run;
+    run.alpha = options.alpha;
+    run.size = options.full ? "full" : "quick";
+    run.shard = options.shard.index;
+    run.shards = options.shard.count;
+    return reports::begin_run(catalogue, std::move(run), options.patterns, options.store);
 }
 
 // Judges and stores what is left of the plan; returns the signal that ended it early, 0 for none.
-int carry_out(const Plan& plan, const Catalogue& catalogue, const Options& options, reports::Store& store) {
-    const Size size = size_of(plan.run);
+int carry_out(const reports::RunPlan& plan, const Catalogue& catalogue, const Options& options, reports::Store& store) {
     const RunSetting setting{.seed = plan.run.seed,
                              .alpha = plan.run.alpha,
-                             .size = size,
+                             .size = size_of(plan.run),
                              .time_limit = options.time_limit,
                              .threads = options.threads > 0 ? options.threads : plan.run.threads};
     const auto start = std::chrono::steady_clock::now();
@@ -130,11 +56,7 @@ int carry_out(const Plan& plan, const Catalogue& catalogue, const Options& optio
         done += judged.size();
         line.show(
             fmt::format("{}/{} {} {}", done, total, to_string(judged.back().verdict.outcome), judged.back().id()));
-        reports::Results results;
-        for (Judged& one : judged) {
-            const double share = plan.run.alpha * catalogue.share(*one.claim, size);
-            append(results, std::move(one), share);
-        }
+        const reports::Results results = reports::results_of(std::move(judged), catalogue, plan.run);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         store.add(plan.number, results.claims, results.mutants, plan.run.seconds + elapsed.count());
     };
@@ -150,7 +72,7 @@ int carry_out(const Plan& plan, const Catalogue& catalogue, const Options& optio
 
 int verify(const Options& options, const Catalogue& catalogue) {
     check_outputs(options);
-    const Plan plan = options.resume ? unfinished_plan(catalogue, options) : new_plan(catalogue, options);
+    const reports::RunPlan plan = plan_of(options, catalogue);
     reports::Store store(options.store, reports::Store::Access::append);
     if (const int signal = carry_out(plan, catalogue, options, store)) return 128 + signal;
     store.finish(plan.number);
@@ -160,10 +82,10 @@ int verify(const Options& options, const Catalogue& catalogue) {
 int verify_sampler(Options options) {
     check_outputs(options);  // before the sampler's work, not after it
     if (!options.seed) options.seed = fresh_seed();
-    return verify(options, sampler_catalogue(options.sampler, *options.seed, options.alpha));
+    return verify(options, checks::sampler_catalogue(options.sampler, *options.seed, options.alpha));
 }
 
-void add_sampler(CLI::App& verb, SamplerTrial& trial) {
+void add_sampler(CLI::App& verb, checks::SamplerTrial& trial) {
     CLI::Option* sampler = verb.add_option("--sampler", trial.command,
                                            "judge a sampler in another process instead: a command that prints {n} "
                                            "samples, one a line, from the seed {seed}");

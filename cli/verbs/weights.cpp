@@ -4,11 +4,11 @@
 
 #include "cli/common_options.h"
 #include "cli/session.h"
-#include "cli/user_integrand.h"
 #include "cli/verb.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "estimators/reweighting/sample_weighting.h"
+#include "studies/own/user_integrand.h"
 
 namespace plumb::cli::verbs {
 namespace {
@@ -21,7 +21,7 @@ struct Options {
 
 template <int D>
 std::vector<double> weights_of(const NumberTable& points, const Options& options, std::size_t& repeated) {
-    std::vector<Point<D>> places = places_of<D>(points, options.domain);
+    std::vector<Point<D>> places = own::places_of<D>(points, options.domain);
     std::vector<double> weights = find_sample_weighting<D>(options.periodic ? "torus" : "voronoi").weights(places);
     repeated = repeated_places<D>(std::move(places), options.periodic);
     double volume = 1;

@@ -1,18 +1,14 @@
-#include "cli/converge_images.h"
+#include "studies/image_series.h"
 
 #include <filesystem>
 
-#include "cli/image_pattern.h"
-#include "cli/session.h"
 #include "core/error.h"
-#include "core/file.h"
 #include "core/image.h"
-#include "reports/run/html.h"
-#include "reports/run/json.h"
 #include "reports/text/text.h"
+#include "studies/image_pattern.h"
 #include "verification/pictures/image_convergence.h"
 
-namespace plumb::cli {
+namespace plumb {
 namespace {
 
 struct ReferencePicture {
@@ -75,53 +71,49 @@ Series series_of(const std::vector<RendersAt>& groups, const ReferencePicture& r
     return series;
 }
 
-void print(const std::vector<RendersAt>& groups, const Series& series, double power) {
+}  // namespace
+
+ImageSeries measure_images(const std::string& pattern, const std::string& reference_file) {
+    const std::vector<NamedImage> files = images_matching(pattern);
+    const ReferencePicture reference = read_reference(reference_file);
+    const std::vector<RendersAt> groups = read_renders(files, reference);
+    ImageSeries measured{.series = series_of(groups, reference, pattern),
+                         .images = {},
+                         .power = power_of(reference.picture),
+                         .said = {}};
+    for (const RendersAt& at : groups) measured.images.push_back(at.renders.size());
+    measured.said = fmt::format("{}: {}, whose own variance is {}", pattern, reference.file,
+                                reference.variance_known ? "subtracted" : "not known and not subtracted");
+    return measured;
+}
+
+std::string text_of(const ImageSeries& measured, int columns) {
+    const Series& series = measured.series;
     std::vector<std::vector<std::string>> rows;
     const bool timed = std::isfinite(series.points.front().seconds);
-    for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (std::size_t i = 0; i < series.points.size(); ++i) {
         const ConvergencePoint& p = series.points[i];
         const double cost = timed ? p.seconds : static_cast<double>(p.n);
         rows.push_back(
-            {std::to_string(p.n), std::to_string(groups[i].renders.size()), reports::readable(p.seconds),
+            {std::to_string(p.n), std::to_string(measured.images[i]), reports::readable(p.seconds),
              reports::readable(p.mse),
              fmt::format("[{}, {}]", reports::readable(p.mse_interval.low), reports::readable(p.mse_interval.high)),
-             reports::readable(p.mse / power),
+             reports::readable(p.mse / measured.power),
              fmt::format("{} ± {}", reports::readable(p.bias), reports::readable(p.bias_standard_error)),
              p.mse > 0 ? reports::readable(1 / (p.mse * cost)) : "–"});
     }
-    fmt::print("{}slope {} [{}, {}]\n",
-               reports::table({{"spp", reports::Align::right},
-                               {"images", reports::Align::right},
-                               {"seconds", reports::Align::right},
-                               {"mse", reports::Align::right},
-                               {"95 %"},
-                               {"relMSE", reports::Align::right},
-                               {"bias ± standard error"},
-                               {timed ? "1/(mse·seconds)" : "1/(mse·spp)", reports::Align::right}},
-                              rows, static_cast<std::size_t>(terminal_style().width)),
-               reports::readable(series.slope.value), reports::readable(series.slope.interval.low),
-               reports::readable(series.slope.interval.high));
+    return fmt::format("{}slope {} [{}, {}]\n",
+                       reports::table({{"spp", reports::Align::right},
+                                       {"images", reports::Align::right},
+                                       {"seconds", reports::Align::right},
+                                       {"mse", reports::Align::right},
+                                       {"95 %"},
+                                       {"relMSE", reports::Align::right},
+                                       {"bias ± standard error"},
+                                       {timed ? "1/(mse·seconds)" : "1/(mse·spp)", reports::Align::right}},
+                                      rows, static_cast<std::size_t>(columns)),
+                       reports::readable(series.slope.value), reports::readable(series.slope.interval.low),
+                       reports::readable(series.slope.interval.high));
 }
 
-}  // namespace
-
-int converge_images(const ImageSeriesTask& options) {
-    require_writable({options.json, options.report});
-    const std::vector<NamedImage> files = images_matching(options.images);
-    const ReferencePicture reference = read_reference(options.reference);
-    const std::vector<RendersAt> groups = read_renders(files, reference);
-    const Series series = series_of(groups, reference, options.images);
-
-    const reports::RunInfo info = Session(0, options.threads).run;
-    const std::string truth = fmt::format("{}: {}, whose own variance is {}", options.images, reference.file,
-                                          reference.variance_known ? "subtracted" : "not known and not subtracted");
-    const std::vector<Series> all{series};
-    if (!options.json.empty()) write_file(options.json, reports::converge_json(info, all, std::vector{truth}));
-    if (!options.report.empty()) reports::write_converge_report(info, all, options.report);
-    print(groups, series, power_of(reference.picture));
-    fmt::print("truth of {}\n", truth);
-    if (!options.report.empty()) fmt::print("report: {}\n", options.report);
-    return 0;
-}
-
-}  // namespace plumb::cli
+}  // namespace plumb

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "estimators/replicates/integration.h"
-#include "reports/run/results.h"
+#include "reports/run/json.h"
+#include "verification/series.h"
 
-namespace plumb::cli {
+namespace plumb::own {
 
 /// One integral as `plumb integrate` tells it.
 struct Answer {
@@ -25,9 +26,9 @@ struct Answer {
 /// runs' own mean (a variance, which sees no bias), and the name says so.
 Series series_of(const std::vector<Runs>& sets, const Answer& answer);
 
-/// Prints the answers, writes the page and the JSON (an empty name: none); the program's exit code: 3 when a target was
-/// missed.
-int tell(const std::vector<Answer>& answers, const reports::RunInfo& run, const std::string& json,
-         const std::string& report);
+/// The answer for a person: value and error, what they are from, and what they leave out.
+std::string text_of(const Answer& answer);
+/// The answer as an object of `plumb integrate --json` (docs/json.md).
+reports::ListRow row_of(const Answer& answer);
 
-}  // namespace plumb::cli
+}  // namespace plumb::own

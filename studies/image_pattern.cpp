@@ -1,4 +1,4 @@
-#include "cli/image_pattern.h"
+#include "studies/image_pattern.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 
-namespace plumb::cli {
+namespace plumb {
 
 namespace fs = std::filesystem;
 
@@ -85,4 +85,4 @@ std::vector<NamedImage> images_matching(const std::string& pattern) {
     return images;
 }
 
-}  // namespace plumb::cli
+}  // namespace plumb

@@ -1,4 +1,4 @@
-#include "cli/user_integrand.h"
+#include "studies/own/user_integrand.h"
 
 #include <filesystem>
 
@@ -7,7 +7,7 @@
 #include "core/box.h"
 #include "core/error.h"
 
-namespace plumb::cli {
+namespace plumb::own {
 namespace {
 
 template <int D>
@@ -146,4 +146,4 @@ SampleSet<D> samples_of(const NumberTable& table, const std::vector<double>& dom
 template SampleSet<1> samples_of<1>(const NumberTable&, const std::vector<double>&);
 template SampleSet<2> samples_of<2>(const NumberTable&, const std::vector<double>&);
 
-}  // namespace plumb::cli
+}  // namespace plumb::own

@@ -1,13 +1,13 @@
-#include "cli/integrate_samples.h"
+#include "studies/own/integrate_samples.h"
 
-#include "cli/user_integrand.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/moments.h"
 #include "core/parallel.h"
 #include "estimators/reweighting/sample_weighting.h"
+#include "studies/own/user_integrand.h"
 
-namespace plumb::cli {
+namespace plumb::own {
 namespace {
 
 void check_task(const IntegralTask& task) {
@@ -121,4 +121,4 @@ Answer integrate_samples(const IntegralTask& task) {
     return tables.front().columns == 2 ? integrate<1>(tables, task) : integrate<2>(tables, task);
 }
 
-}  // namespace plumb::cli
+}  // namespace plumb::own

@@ -1,4 +1,4 @@
-#include "cli/cell_density.h"
+#include "checks/sampler/cell_density.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-namespace plumb::cli {
+namespace plumb::checks {
 namespace {
 
 using testing::DoubleNear;
@@ -103,4 +103,4 @@ TEST(CellOf, HasUpperEndsOnlyWhereNothingElseBegins) {
 }
 
 }  // namespace
-}  // namespace plumb::cli
+}  // namespace plumb::checks

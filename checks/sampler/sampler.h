@@ -6,7 +6,7 @@
 
 #include "verification/claim.h"
 
-namespace plumb::cli {
+namespace plumb::checks {
 
 /// A sampler in another process, and what it is to be judged by.
 struct SamplerTrial {
@@ -22,4 +22,4 @@ struct SamplerTrial {
 /// so that its errors come before anything is written. Throws Error.
 Catalogue sampler_catalogue(const SamplerTrial& trial, std::uint64_t seed, double alpha = 1e-4);
 
-}  // namespace plumb::cli
+}  // namespace plumb::checks

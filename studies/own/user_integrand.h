@@ -9,7 +9,7 @@
 #include "estimators/estimator.h"
 #include "estimators/replicates/integration.h"
 
-namespace plumb::cli {
+namespace plumb::own {
 
 /// An integral that a person asks for.
 struct IntegralTask {
@@ -52,4 +52,4 @@ std::vector<Point<D>> places_of(const NumberTable& table, const std::vector<doub
 template <int D>
 SampleSet<D> samples_of(const NumberTable& table, const std::vector<double>& domain);
 
-}  // namespace plumb::cli
+}  // namespace plumb::own

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace plumb::cli {
+namespace plumb {
 
 /// An image whose name says what it is.
 struct NamedImage {
@@ -19,4 +19,4 @@ struct NamedImage {
 /// for a pattern without {spp}, with other braces, or that no file matches.
 std::vector<NamedImage> images_matching(const std::string& pattern);
 
-}  // namespace plumb::cli
+}  // namespace plumb

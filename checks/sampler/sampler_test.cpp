@@ -1,10 +1,10 @@
-#include "cli/sampler.h"
+#include "checks/sampler/sampler.h"
 
 #include <gtest/gtest.h>
 
 #include "core/error.h"
 
-namespace plumb::cli {
+namespace plumb::checks {
 namespace {
 
 using testing::HasSubstr;
@@ -76,4 +76,4 @@ TEST(Sampler, MayPrintMoreThanItWasAskedFor) {
 }
 
 }  // namespace
-}  // namespace plumb::cli
+}  // namespace plumb::checks

@@ -1,11 +1,8 @@
-#include "cli/answer.h"
+#include "studies/own/answer.h"
 
-#include "core/file.h"
-#include "reports/run/html.h"
-#include "reports/run/json.h"
 #include "verification/evidence/convergence.h"
 
-namespace plumb::cli {
+namespace plumb::own {
 namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
@@ -35,6 +32,8 @@ std::string comparison(const Answer& answer) {
             : fmt::format(", {:+.1f} standard errors", deviation / answer.estimate.standard_error);
     return fmt::format("  exact: {}; deviation {:+.2g}{}\n", *answer.exact, deviation, in_errors);
 }
+
+}  // namespace
 
 std::string text_of(const Answer& a) {
     std::string text = fmt::format("{}\n  {}\n", a.integrand, readable_value(a.estimate));
@@ -69,8 +68,6 @@ reports::ListRow row_of(const Answer& a) {
             {"known", known}};
 }
 
-}  // namespace
-
 Series series_of(const std::vector<Runs>& sets, const Answer& answer) {
     Series series;
     series.estimator = answer.method;
@@ -86,21 +83,4 @@ Series series_of(const std::vector<Runs>& sets, const Answer& answer) {
     return series;
 }
 
-int tell(const std::vector<Answer>& answers, const reports::RunInfo& run, const std::string& json,
-         const std::string& report) {
-    std::vector<Series> series;
-    std::vector<reports::ListRow> rows;
-    bool met = true;
-    for (const Answer& answer : answers) {
-        if (answer.series) series.push_back(*answer.series);
-        rows.push_back(row_of(answer));
-        met = met && answer.target_met;
-    }
-    if (!json.empty()) write_file(json, reports::integration_json(run, rows, series));
-    if (!series.empty()) reports::write_converge_report(run, series, report);
-    for (const Answer& answer : answers) fmt::print("{}", text_of(answer));
-    if (!series.empty()) fmt::print("report: {}\n", report);
-    return met ? 0 : 3;
-}
-
-}  // namespace plumb::cli
+}  // namespace plumb::own

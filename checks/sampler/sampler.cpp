@@ -1,15 +1,15 @@
-#include "cli/sampler.h"
+#include "checks/sampler/sampler.h"
 
 #include <fmt/format.h>
 
 #include <charconv>
 
-#include "cli/cell_density.h"
+#include "checks/sampler/cell_density.h"
 #include "core/error.h"
 #include "core/process.h"
 #include "verification/evidence/distribution.h"
 
-namespace plumb::cli {
+namespace plumb::checks {
 namespace {
 
 constexpr std::string_view claim_id = "sampler/density";
@@ -127,4 +127,4 @@ Catalogue sampler_catalogue(const SamplerTrial& trial, std::uint64_t seed, doubl
     return catalogue;
 }
 
-}  // namespace plumb::cli
+}  // namespace plumb::checks

@@ -7,7 +7,7 @@
 #include "core/interval.h"
 #include "core/point.h"
 
-namespace plumb::cli {
+namespace plumb::checks {
 
 /// A density as the probabilities of cells that do not overlap: intervals, or rectangles. Outside of them it is zero.
 struct CellDensity {
@@ -31,4 +31,4 @@ CellDensity read_density(const std::string& text);
 /// The table as the file has it; `name` is for messages.
 CellDensity parse_density_table(std::string_view text, const std::string& name);
 
-}  // namespace plumb::cli
+}  // namespace plumb::checks

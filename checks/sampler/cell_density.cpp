@@ -1,4 +1,4 @@
-#include "cli/cell_density.h"
+#include "checks/sampler/cell_density.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include "estimators/densities/density.h"
 #include "estimators/densities/density_2d.h"
 
-namespace plumb::cli {
+namespace plumb::checks {
 namespace {
 
 constexpr std::size_t cells_1d = 64, cells_2d = 8;  // 8 by 8
@@ -211,4 +211,4 @@ CellDensity read_density(const std::string& text) {
     return parse_density_table(read_file(text), text);
 }
 
-}  // namespace plumb::cli
+}  // namespace plumb::checks
