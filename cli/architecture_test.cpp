@@ -18,14 +18,14 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"scenes", {"core", "analytic", "estimators", "scenes"}},
     {"integrators", {"core", "scenes", "estimators", "integrators"}},
     {"verification", {"core", "verification"}},
-    {"checks", {"core", "scenes", "verification", "checks"}},
+    {"checks", {"core", "estimators", "scenes", "verification", "checks"}},
     {"verification/suites",
      {"core", "analytic", "estimators", "scenes", "integrators", "verification", "checks", "verification/suites"}},
     {"reports", {"core", "verification", "reports"}},
     {"studies", {"core", "analytic", "estimators", "scenes", "integrators", "verification", "reports", "studies"}},
     {"cli",
-     {"core", "analytic", "estimators", "scenes", "integrators", "verification", "verification/suites", "reports",
-      "studies", "cli"}},
+     {"core", "analytic", "estimators", "scenes", "integrators", "verification", "verification/suites", "checks",
+      "reports", "studies", "cli"}},
 };
 
 std::string folder_of(const std::string& path) {
