@@ -37,7 +37,7 @@ Verdict replays(const MakeReplay& make, const Run& run) {
     Tally tally;
     const std::uint64_t seed = run.random(0).bits();
     for (const NamedIntegrator& named : integrators()) {
-        const auto estimator = named.make({});
+        const auto estimator = make_integrator(named.id, {});
         const auto shift = make(*estimator);
         for (const auto& [name, pixels] : shift_scenes())
             for (std::uint32_t i = 0; i < run.pick(20u, 500u); ++i) {

@@ -80,8 +80,7 @@ const Scene& veiled_scene() {
         add_polygon(veiled, {{-0.8, -0.6, 2}, {-0.8, 0.6, 2}, {0.9, 0.6, 2}, {0.9, -0.6, 2}}, dark, Spectrum::grey(2));
         veiled.emitters.emplace_back().kind = description::ConstantSky{Spectrum::grey(0.3)};
         veiled.sensor = camera({-0.2, -2.5, 1.7}, {0, -0.1, 0.3}, 35, 8, 8);
-        veiled.sensor->aperture_radius = 0.1;
-        veiled.sensor->focus_distance = 3;
+        veiled.sensor->kind = description::ThinLens{.fov_x = 35, .aperture_radius = 0.1, .focus_distance = 3};
         return veiled;
     }());
     return scene;
