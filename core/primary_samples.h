@@ -23,6 +23,7 @@ enum class Use : std::uint8_t {
     shadow,
     visibility
 };
+constexpr std::size_t use_count = static_cast<std::size_t>(Use::visibility) + 1;
 
 /// Which pair: the path's vertex (the sensor is 0; light subpaths count from 0x8000), what for, and for which sample,
 /// where the vertex takes several. Four bytes, so that it goes in a register: `path` draws some ten a vertex.

@@ -6,7 +6,6 @@ namespace plumb {
 
 namespace {
 
-constexpr std::size_t uses = static_cast<std::size_t>(Use::shadow) + 1;
 constexpr std::uint16_t first_light_slot = 0x8000;
 
 }  // namespace
@@ -18,11 +17,12 @@ void PointSetSamples::start(const PathKey& key) {
 }
 
 PointSetSamples::Set& PointSetSamples::set_of(Slot slot) {
+    if (slot.sample > 0) return of_more_samples_[slot];
     const bool of_light = slot.vertex >= first_light_slot;
     std::vector<Set>& sets = of_light ? from_light_ : from_sensor_;
     const std::size_t vertex = slot.vertex - (of_light ? first_light_slot : 0u);
-    const std::size_t number = vertex * uses + static_cast<std::size_t>(slot.use);
-    if (number >= sets.size()) sets.resize((vertex + 1) * uses);
+    const std::size_t number = vertex * use_count + static_cast<std::size_t>(slot.use);
+    if (number >= sets.size()) sets.resize((vertex + 1) * use_count);
     return sets[number];
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <vector>
 
 #include "core/point.h"
@@ -36,6 +37,7 @@ private:
     PathKey key_{~std::uint64_t{0}, ~std::uint32_t{0}, ~std::uint32_t{0}};
     std::uint64_t now_ = 0;                      // counts pixels and passes as they come
     std::vector<Set> from_sensor_, from_light_;  // by slot, of the two subpaths' vertices
+    std::map<Slot, Set> of_more_samples_;        // the rare slots of a vertex's second sample and later ones
 };
 
 }  // namespace plumb
