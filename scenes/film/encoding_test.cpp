@@ -24,7 +24,7 @@ TEST(EncodedFor, KeepsLinearColoursWhereTheFormatHoldsFloats) {
 
 TEST(EncodedFor, GivesOthersColoursToLookAt) {
     const Image image = encoded_for("a.png", two_layers);
-    EXPECT_NEAR(image.values[0], 0.7354, 1e-4);  // 1.055 · 0.5^(1/2.4) − 0.055, IEC 61966-2-1
+    EXPECT_NEAR(image.values[0], 0.7354, 1e-4);  // 1.055 · 0.5^(1/2.4) − 0.055 [IEC 61966-2-1]
     EXPECT_FLOAT_EQ(image.values[1], 1.f);
     EXPECT_EQ(image.values[2], 0.f);
 }
