@@ -48,11 +48,11 @@ TEST(PointSetSamples, KeepsEverySlotApart) {
     samples.start({1, 2, 3});
     std::set<std::array<double, 2>> numbers;
     std::size_t slots = 0;
-    for (const std::uint16_t first : {0, 0x8000})
-        for (std::uint16_t vertex = first; vertex < first + 3; ++vertex)
+    for (const int first : {0, 0x8000})
+        for (int vertex = first; vertex < first + 3; ++vertex)
             for (std::size_t use = 0; use < use_count; ++use)
                 for (std::uint8_t sample = 0; sample < 3; ++sample, ++slots)
-                    numbers.insert(samples.at({vertex, static_cast<Use>(use), sample}).u);
+                    numbers.insert(samples.at({static_cast<std::uint16_t>(vertex), static_cast<Use>(use), sample}).u);
     EXPECT_EQ(numbers.size(), slots);
 }
 
