@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/named.h"
 #include "integrators/estimators/aov.h"
 #include "integrators/estimators/direct.h"
 #include "integrators/estimators/one_length.h"
@@ -103,10 +104,7 @@ const NamedIntegrator* known_integrator(const std::string& id) {
 }
 
 const NamedIntegrator& find_integrator(const std::string& id) {
-    if (const NamedIntegrator* found = known_integrator(id)) return *found;
-    std::vector<std::string> known;
-    for (const NamedIntegrator& integrator : integrators()) known.push_back(integrator.id);
-    throw unknown_name("integrator", id, known);
+    return find_named(integrators(), id, "integrator");
 }
 
 std::vector<const NamedIntegrator*> reference_integrators() {

@@ -1,6 +1,6 @@
 #include "integrators/drivers/drivers.h"
 
-#include "core/error.h"
+#include "core/named.h"
 #include "integrators/drivers/frameless.h"
 #include "integrators/drivers/pixels.h"
 
@@ -27,12 +27,7 @@ const std::vector<NamedDriver>& drivers() {
 }
 
 const NamedDriver& find_driver(const std::string& id) {
-    std::vector<std::string> known;
-    for (const NamedDriver& driver : drivers()) {
-        if (driver.id == id) return driver;
-        known.push_back(driver.id);
-    }
-    throw unknown_name("driver", id, known);
+    return find_named(drivers(), id, "driver");
 }
 
 }  // namespace plumb

@@ -1,6 +1,6 @@
 #include "integrators/drivers/sampler.h"
 
-#include "core/error.h"
+#include "core/named.h"
 
 namespace plumb {
 
@@ -24,13 +24,7 @@ const std::vector<PointSet<2>>& samplers() {
 }
 
 const PointSet<2>& find_sampler(const std::string& id) {
-    const std::string full = id == "sobol" ? "sobol-owen" : id;
-    std::vector<std::string> known;
-    for (const PointSet<2>& set : samplers()) {
-        if (set.id == full) return set;
-        known.push_back(set.id);
-    }
-    throw unknown_name("sampler", id, known);
+    return find_named(samplers(), id == "sobol" ? "sobol-owen" : id, "sampler");
 }
 
 Sampler::Sampler(const std::string& id, std::uint32_t n) : samples_(samples_of(find_sampler(id), n)) {}
