@@ -6,7 +6,7 @@
 
 #include "core/parameters.h"
 #include "integrators/estimators/bdpt.h"
-#include "integrators/estimators/light.h"
+#include "integrators/estimators/light_tracer.h"
 #include "integrators/estimators/path.h"
 #include "integrators/references/path_classes.h"
 

@@ -57,7 +57,7 @@ std::optional<Hit> Scene::intersect(const Ray& ray, double u, RayLog& log) const
     }
 }
 
-double Scene::transmittance(const SurfacePoint& from, const EmitterSample& sample, RayLog& log) const {
+double Scene::transmittance(const SurfacePoint& from, const LightSample& sample, RayLog& log) const {
     const auto segment = [&](const SurfacePoint& start) {
         if (sample.surface) return connect(start, *sample.surface);
         if (!std::isfinite(sample.distance)) return leave(start, sample.direction);
@@ -135,7 +135,7 @@ std::optional<SceneLightRay> Scene::sample_light_ray(double u, const Point<2>& o
 
 EmittedRayPdf Scene::light_ray_pdf(std::size_t light, Vec3 normal, Vec3 direction) const {
     EmittedRayPdf pdf =
-        std::visit([&](const auto& emitter) { return emitter.ray_pdf(ball_, normal, direction); }, lights_[light]);
+        std::visit([&](const auto& light) { return light.ray_pdf(ball_, normal, direction); }, lights_[light]);
     pdf.area *= chooser_->pmf(light);
     return pdf;
 }

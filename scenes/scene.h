@@ -14,7 +14,7 @@ namespace plumb {
 
 /// A light of the scene, chosen, and a direction towards it: pdf is that of the pair.
 struct SceneLightSample {
-    EmitterSample sample;
+    LightSample sample;
     double pdf = 0;
     std::size_t light = 0;  ///< index into lights()
 };
@@ -39,8 +39,8 @@ public:
     [[nodiscard]] bool has_masks() const { return has_masks_; }
     /// The chance that a ray that reaches the surface stops there: below 1 for masks.
     [[nodiscard]] double opacity(const Hit& hit) const { return materials_.opacity(shape(hit).material, hit.uv); }
-    /// How much of the light of a sample of an emitter arrives: 0 or 1, in between behind masks.
-    [[nodiscard]] double transmittance(const SurfacePoint& from, const EmitterSample& sample, RayLog& log) const;
+    /// How much of the light of a sample of a light arrives: 0 or 1, in between behind masks.
+    [[nodiscard]] double transmittance(const SurfacePoint& from, const LightSample& sample, RayLog& log) const;
 
     /// The closure at a hit for light that leaves towards `wo` (in the world).
     [[nodiscard]] Bsdf bsdf(const Hit& hit, Vec3 wo) const;
@@ -51,7 +51,7 @@ public:
 
     /// Chooses a light by its power, then a direction towards it; empty where it does not shine, or there is no light.
     [[nodiscard]] std::optional<SceneLightSample> sample_light(Vec3 from, double u, const Point<2>& v) const;
-    /// The density, per steradian, with which sample_light(from) would have found the emitter that a ray met.
+    /// The density, per steradian, with which sample_light(from) would have found the light that a ray met.
     [[nodiscard]] double light_pdf(const Hit& hit, Vec3 from, Vec3 direction) const;
     /// The same for this light, which has a surface, at a point where it shines to the side of `normal`.
     [[nodiscard]] double light_pdf(std::size_t light, Vec3 position, Vec3 normal, Vec3 from, Vec3 direction) const;

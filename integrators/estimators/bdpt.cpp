@@ -72,7 +72,7 @@ private:
         Draws draws(samples_);
         const auto sampled = bdpt_.choice->sample(scene_, last.point, index, draws);
         if (!sampled) return;
-        const EmitterSample& sample = sampled->sample;
+        const LightSample& sample = sampled->sample;
         const Spectrum f = eval_bsdf(*last.surface, sample.direction, Transport::radiance);
         if (is_black(f)) return;
         SubpathVertex end = light_vertex(scene_, last.position(), *sampled);
@@ -98,7 +98,7 @@ private:
         if (is_black(f_y)) return;
         const double weight = weight_of(camera(t), light(s));
         if (weight == 0) return;
-        const EmitterSample end{direction, distance, {}, 0, Measure::solid_angle, y.point};
+        const LightSample end{direction, distance, {}, 0, Measure::solid_angle, y.point};
         const SampleIndex index{static_cast<std::uint16_t>(t - 1), static_cast<std::uint8_t>(s - 1)};
         Draws draws(samples_);
         const double arrives = bdpt_.visibility->sample(scene_, x.point, end, index, draws, record_.rays);

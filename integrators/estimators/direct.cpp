@@ -25,8 +25,8 @@ void trace_two_edges(const Scene& scene, const FilmRegion& region, PrimarySample
 void Direct::trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, PathRecord& record) const {
     trace_two_edges(scene, region, samples, record,
                     [this](const Scene& in, const PathVertex& vertex, const Draws& numbers, PathRecord& rays) {
-                        return light_from_emitters(in, vertex, 1, next_event, numbers, rays) +
-                               light_from_bsdf(in, vertex, 1, next_event, numbers, rays);
+                        return gather_from_lights(in, vertex, 1, next_event, numbers, rays) +
+                               gather_from_bsdf(in, vertex, 1, next_event, numbers, rays);
                     });
 }
 

@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// What a vertex sends on of the light that reaches it from emitters, over the density of the numbers that it draws for
+/// What a vertex sends on of the light that reaches it from lights, over the density of the numbers that it draws for
 /// that, beside those of the vertex.
 using ReflectedLight = std::function<Spectrum(const Scene&, const PathVertex&, const Draws& of_vertex, PathRecord&)>;
 
@@ -14,7 +14,7 @@ using ReflectedLight = std::function<Spectrum(const Scene&, const PathVertex&, c
 void trace_two_edges(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, PathRecord& record,
                      const ReflectedLight& reflected);
 
-/// Direct illumination: paths of at most two edges, sensor – surface – emitter, by samples of emitters, of BSDFs, or
+/// Direct illumination: paths of at most two edges, sensor – surface – light, by samples of lights, of BSDFs, or
 /// of both with multiple importance sampling [Veach & Guibas 1995].
 struct Direct final : PathEstimator {
     NextEvent next_event;

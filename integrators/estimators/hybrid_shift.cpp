@@ -141,7 +141,7 @@ void Shifting::gather_at_connection(const Replayed& replayed, const Connection& 
     add(replayed.film, state, met_light(scene, tracer().next_event, state, hit, 1, shifted.record), edges, k);
     if (!edge.end || !tracer().limits.allow(edges + 1)) return;
     add(replayed.film, state,
-        light_from_emitters(scene, *edge.end, state.vertex, tracer().next_event, Draws(samples), shifted.record),
+        gather_from_lights(scene, *edge.end, state.vertex, tracer().next_event, Draws(samples), shifted.record),
         edges + 1, k);
 }
 

@@ -6,7 +6,7 @@ namespace plumb {
 
 namespace {
 
-// The weight of light that the state's ray met, against what samples of emitters, and more of the BSDF, would have
+// The weight of light that the state's ray met, against what samples of lights, and more of the BSDF, would have
 // found there.
 TechniqueWeight weight_of_met(const Scene& scene, const NextEvent& next_event, const PathState& state,
                               const std::optional<Hit>& hit, const PathRecord& record) {
@@ -60,8 +60,8 @@ bool PathTracer::step(const Scene& scene, const Point<2>& film, PathState& state
     if (!hit) return false;
     const PathVertex& vertex = record.meet(vertex_at(scene, *hit, state.ray), draws.density());
     if (!limits.allow(edges + 1)) return false;
-    Spectrum light = light_from_emitters(scene, vertex, state.vertex, next_event, draws, record);
-    if (next_event.bsdf_count > 1) light += light_from_bsdf(scene, vertex, state.vertex, next_event, draws, record, 1);
+    Spectrum light = gather_from_lights(scene, vertex, state.vertex, next_event, draws, record);
+    if (next_event.bsdf_count > 1) light += gather_from_bsdf(scene, vertex, state.vertex, next_event, draws, record, 1);
     add(light, edges + 1);
     return edges < last_vertex && scatter(vertex, state, draws, record);
 }

@@ -10,13 +10,13 @@ struct PathState {
     Ray ray;         ///< towards the next vertex
     Vec3 direction;  ///< of the ray before it was rounded
     Spectrum throughput = Spectrum::grey(1);
-    double pdf = 0;          ///< of the direction, per steradian; 0 where no emitter sample competes: at the sensor and
-                             ///< behind mirrors
-    double eta_squared = 1;  ///< of the medium over the sensor's, squared
+    double pdf = 0;            ///< of the direction, per steradian; 0 where no light sample competes: at the sensor and
+                               ///< behind mirrors
+    double eta_squared = 1;    ///< of the medium over the sensor's, squared
     std::uint16_t vertex = 1;  ///< the number of the next vertex, which is the edges up to it
 };
 
-/// Light that the state's ray met, weighted against what an emitter sample would have found there.
+/// Light that the state's ray met, weighted against what an light sample would have found there.
 Spectrum met_light(const Scene& scene, const NextEvent& next_event, const PathState& state,
                    const std::optional<Hit>& hit, double density, const PathRecord& record);
 

@@ -43,7 +43,7 @@ double density_beyond(const Connection& connection) {
 }
 
 bool reaches(const Scene& scene, const PathVertex& from, const Connection& connection, double u, RayLog& rays) {
-    EmitterSample edge{.direction = connection.direction, .radiance = {}};
+    LightSample edge{.direction = connection.direction, .radiance = {}};
     if (connection.end) {
         edge.distance = connection.distance;
         edge.surface = connection.end->hit.point;

@@ -25,7 +25,7 @@ std::optional<SensorSample> connect_to_lens(const Scene& scene, Vec3 from, const
     return scene.sensor().connect(from, lens);
 }
 
-EmitterSample end_at_lens(const SensorSample& sensor) {
+LightSample end_at_lens(const SensorSample& sensor) {
     return {.direction = sensor.direction, .distance = sensor.distance, .radiance = {}};
 }
 

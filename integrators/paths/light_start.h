@@ -31,6 +31,6 @@ inline std::optional<SensorSample> sample_lens(const Scene& scene, Vec3 from, st
     return connect(scene, from, lens ? Point<2>(draws.at({number, Use::lens})) : Point<2>{0.5, 0.5});
 }
 /// The lens as an end that Visibility is asked about.
-EmitterSample end_at_lens(const SensorSample& sensor);
+LightSample end_at_lens(const SensorSample& sensor);
 
 }  // namespace plumb

@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// Which paths are estimated. Edges count from the sensor: 1 is an emitter seen directly, 2 direct light.
+/// Which paths are estimated. Edges count from the sensor: 1 is a light seen directly, 2 direct light.
 struct PathLimits {
     int max_edges = -1;                     ///< longer paths count as black; -1: none is too long
     int roulette_edges = 5;                 ///< paths of as many edges may end by Russian roulette

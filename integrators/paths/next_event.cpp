@@ -36,13 +36,13 @@ void ask_choices(const NextEvent& next_event, const Scene& scene, const PathVert
 }
 
 // A sample of a choice of lights: which of a vertex's, of which choice.
-struct EmitterTurn {
+struct LightTurn {
     SampleIndex index;
     std::size_t choice;
 };
 
-Spectrum light_from_emitter(const Scene& scene, const PathVertex& vertex, const EmitterTurn& turn,
-                            const NextEvent& next_event, const Draws& of_vertex, PathRecord& record) {
+Spectrum gather_from_light(const Scene& scene, const PathVertex& vertex, const LightTurn& turn,
+                           const NextEvent& next_event, const Draws& of_vertex, PathRecord& record) {
     const auto& [choice, count] = next_event.lights[turn.choice];
     Draws draws = of_vertex.branch();
     const auto light = choice->sample(scene, vertex.hit.point, turn.index, draws);
@@ -105,10 +105,10 @@ NextEvent with_counts(NextEvent next_event, const TechniqueCounts& counts) {
         throw Error(fmt::format("a count for {} choices of lights; accepted is one", next_event.lights.size()));
     constexpr int most = 255;  // a slot's sample is a byte
     const auto accepted = [](int count) { return count >= 0 && count <= most; };
-    if (!accepted(counts.emitters) || !accepted(counts.bsdf))
-        throw Error(fmt::format("{} samples of emitters and {} of the BSDF; accepted are 0 to {}", counts.emitters,
+    if (!accepted(counts.lights) || !accepted(counts.bsdf))
+        throw Error(fmt::format("{} samples of lights and {} of the BSDF; accepted are 0 to {}", counts.lights,
                                 counts.bsdf, most));
-    next_event.lights.front().count = counts.emitters;
+    next_event.lights.front().count = counts.lights;
     next_event.bsdf_count = counts.bsdf;
     return next_event;
 }
@@ -134,19 +134,19 @@ TechniqueWeight weight_of_bsdf(const NextEvent& next_event, const Scene& scene, 
     return densities.weight(next_event.weight, own);
 }
 
-Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::uint16_t number,
-                             const NextEvent& next_event, const Draws& of_vertex, PathRecord& record) {
+Spectrum gather_from_lights(const Scene& scene, const PathVertex& vertex, std::uint16_t number,
+                            const NextEvent& next_event, const Draws& of_vertex, PathRecord& record) {
     if (!vertex.bsdf.smooth()) return {};
     Spectrum sum;
     std::uint8_t taken = 0;
     for (std::size_t k = 0; k < next_event.lights.size(); ++k)
         for (int i = 0; i < next_event.lights[k].count; ++i, ++taken)
-            sum += light_from_emitter(scene, vertex, {{number, taken}, k}, next_event, of_vertex, record);
+            sum += gather_from_light(scene, vertex, {{number, taken}, k}, next_event, of_vertex, record);
     return sum;
 }
 
-Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint16_t number,
-                         const NextEvent& next_event, const Draws& of_vertex, PathRecord& record, int first) {
+Spectrum gather_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint16_t number,
+                          const NextEvent& next_event, const Draws& of_vertex, PathRecord& record, int first) {
     Spectrum sum;
     for (int i = first; i < next_event.bsdf_count; ++i)
         sum +=

@@ -25,12 +25,12 @@ double mis_weight(std::span<const double> densities, std::size_t own) {
     return heuristic(densities[own] / most) / sum;
 }
 
-/// How many samples a vertex takes of emitters and of its BSDF, where there is one choice of lights.
+/// How many samples a vertex takes of lights and of its BSDF, where there is one choice of lights.
 struct TechniqueCounts {
-    int emitters = 1, bsdf = 1;
+    int lights = 1, bsdf = 1;
     friend bool operator==(const TechniqueCounts&, const TechniqueCounts&) = default;
 };
-constexpr TechniqueCounts emitters_alone{1, 0}, bsdf_alone{0, 1}, one_of_each{1, 1};
+constexpr TechniqueCounts lights_alone{1, 0}, bsdf_alone{0, 1}, one_of_each{1, 1};
 
 /// Finds light for a vertex.
 struct NextEvent {
@@ -61,11 +61,11 @@ TechniqueWeight weight_of_bsdf(const NextEvent& next_event, const Scene& scene, 
 
 /// The estimate by samples of all choices of lights, weighted, each over the density of its own numbers, which branch
 /// off those of the vertex.
-Spectrum light_from_emitters(const Scene& scene, const PathVertex& vertex, std::uint16_t number,
-                             const NextEvent& next_event, const Draws& of_vertex, PathRecord& record);
+Spectrum gather_from_lights(const Scene& scene, const PathVertex& vertex, std::uint16_t number,
+                            const NextEvent& next_event, const Draws& of_vertex, PathRecord& record);
 
 /// The same by directions of the BSDF, of all bsdf_count those from `first` on.
-Spectrum light_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint16_t number,
-                         const NextEvent& next_event, const Draws& of_vertex, PathRecord& record, int first = 0);
+Spectrum gather_from_bsdf(const Scene& scene, const PathVertex& vertex, std::uint16_t number,
+                          const NextEvent& next_event, const Draws& of_vertex, PathRecord& record, int first = 0);
 
 }  // namespace plumb

@@ -32,7 +32,7 @@ struct PathVertex {
     }
 };
 
-/// A contribution to the film: value = f w / p, of a path of so many edges (1: an emitter seen directly).
+/// A contribution to the film: value = f w / p, of a path of so many edges (1: a light seen directly).
 struct Splat {
     Point<2> film;
     Spectrum value;

@@ -14,7 +14,7 @@ namespace plumb {
 // other where both are valid, and each is valid where the other is: a path that is not the image of its own shift back
 // must be a failure, or light is counted twice, or never.
 //
-// J and validity are those of a *part* of a path: the light gathered at one vertex (an emitter that the path met there,
+// J and validity are those of a *part* of a path: the light gathered at one vertex (a light that the path met there,
 // and what next-event estimation found from there). A part depends on the numbers up to its vertex alone, so that a
 // path whose tail cannot be shifted still brings its head.
 

@@ -10,7 +10,7 @@ namespace plumb {
 
 /// Paths that an integrator can make all or none of. The lens, pinhole or not, is on no surface: nothing hits it.
 struct PathClass {
-    using Source = EmitterKind;
+    using Source = LightKind;
 
     std::vector<bool> mirrors;  ///< of each surface vertex from the sensor on, whether a mirror or smooth interface
                                 ///< scatters there (their directions have no density), or the rest of a material
@@ -35,7 +35,7 @@ bool path_makes(const PathClass& path);
 bool light_makes(const PathClass& path);
 /// `bdpt` does what `path` does or `light`, or connects two vertices that are no mirrors.
 bool bdpt_makes(const PathClass& path);
-/// `direct` and its kind do what `path` does in two edges: by samples of BSDFs they meet lights, by samples of emitters
+/// `direct` and its kind do what `path` does in two edges: by samples of BSDFs they meet lights, by samples of lights
 /// they light a vertex that is no mirror. All see lights directly.
 bool direct_makes(const PathClass& path);
 bool direct_bsdf_makes(const PathClass& path);

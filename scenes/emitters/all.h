@@ -12,7 +12,7 @@ namespace plumb {
 
 namespace description {
 
-/// All emitters without a shape, each with `light()`, the emitter that it becomes.
+/// All emitters without a shape, each with `light()`, the light that it becomes.
 using EmitterModels = Types<ConstantSky, EnvironmentMap, PointLight>;
 
 /// An emitter without a shape, as the file has it.
@@ -30,7 +30,7 @@ Types<decltype(std::declval<const Models&>().light())...> lights_of(Types<Models
 /// after all). The first that takes a shape is its light.
 using AreaLights = description::Types<RectangleLight, MeshLight, SphereLight, DiskLight>;
 
-/// All emitters, under the conventions of scenes/emitters/emitter.h.
+/// All lights, under the conventions of scenes/emitters/light.h.
 using Lights = description::Joined<AreaLights, decltype(lights_of(description::EmitterModels{}))>;
 
 }  // namespace plumb

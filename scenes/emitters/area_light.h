@@ -13,17 +13,17 @@ namespace plumb {
 template <class Surface>
 class AreaLight {
 public:
-    static constexpr EmitterKind kind = EmitterKind::surface;
+    static constexpr LightKind kind = LightKind::surface;
 
     AreaLight(Surface surface, const Spectrum& radiance) : surface_(std::move(surface)), radiance_(radiance) {}
 
-    [[nodiscard]] std::optional<EmitterSample> sample(Vec3 from, const Point<2>& u) const {
+    [[nodiscard]] std::optional<LightSample> sample(Vec3 from, const Point<2>& u) const {
         return sample_towards(from, surface_.at(u), radiance_, pdf_area());
     }
-    [[nodiscard]] std::optional<EmitterHit> hit(Vec3 from, Vec3 direction) const {
+    [[nodiscard]] std::optional<LightHit> hit(Vec3 from, Vec3 direction) const {
         const auto met = surface_.meet(from, direction);
         if (!met) return {};
-        return EmitterHit{met->distance, radiance_, per_steradian(pdf_area(), met->distance, met->cos_at_light)};
+        return LightHit{met->distance, radiance_, per_steradian(pdf_area(), met->distance, met->cos_at_light)};
     }
     [[nodiscard]] EmittedRay sample_ray(const Ball&, const Point<2>& u, const Point<2>& v) const {
         return send_from(surface_.at(u), radiance_, pdf_area(), v);

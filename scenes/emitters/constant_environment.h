@@ -9,17 +9,17 @@ namespace plumb {
 
 /// The same radiance from every direction.
 struct ConstantEnvironment {
-    static constexpr EmitterKind kind = EmitterKind::environment;
+    static constexpr LightKind kind = LightKind::environment;
 
     Spectrum radiance;
 
-    [[nodiscard]] std::optional<EmitterSample> sample(Vec3, const Point<2>& u) const {
-        EmitterSample sample{.direction = sample_uniform_sphere(u), .radiance = radiance};
+    [[nodiscard]] std::optional<LightSample> sample(Vec3, const Point<2>& u) const {
+        LightSample sample{.direction = sample_uniform_sphere(u), .radiance = radiance};
         sample.pdf = uniform_sphere_pdf(sample.direction);
         return sample;
     }
-    [[nodiscard]] std::optional<EmitterHit> hit(Vec3, Vec3 direction) const {
-        return EmitterHit{.radiance = radiance, .pdf = uniform_sphere_pdf(direction)};
+    [[nodiscard]] std::optional<LightHit> hit(Vec3, Vec3 direction) const {
+        return LightHit{.radiance = radiance, .pdf = uniform_sphere_pdf(direction)};
     }
     [[nodiscard]] EmittedRay sample_ray(const Ball& scene, const Point<2>& u, const Point<2>& v) const {
         return send_from_afar(scene, *sample(scene.centre, v), u);
@@ -32,7 +32,7 @@ struct ConstantEnvironment {
         return radiance * (4 * pi * pi * scene_radius * scene_radius);
     }
 };
-static_assert(EmitterModel<ConstantEnvironment>);
+static_assert(LightModel<ConstantEnvironment>);
 
 namespace description {
 

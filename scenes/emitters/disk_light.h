@@ -41,6 +41,6 @@ public:
     /// Throws Error where the disk is an ellipse.
     static DiskLight of(const description::Disk& disk, const Spectrum& radiance);
 };
-static_assert(EmitterModel<DiskLight>);
+static_assert(LightModel<DiskLight>);
 
 }  // namespace plumb

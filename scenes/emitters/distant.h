@@ -1,14 +1,14 @@
 #pragma once
 
 #include "estimators/densities/warps.h"
-#include "scenes/emitters/emitter.h"
+#include "scenes/emitters/light.h"
 
 namespace plumb {
 
 // What all environments share.
 
 /// The ray of a sample of an environment: from the disk that touches the scene's ball there and faces it.
-inline EmittedRay send_from_afar(const Ball& scene, const EmitterSample& sample, const Point<2>& u) {
+inline EmittedRay send_from_afar(const Ball& scene, const LightSample& sample, const Point<2>& u) {
     const Point<2> p = sample_concentric_disk(u);
     const Vec3 local{scene.radius * p[0], scene.radius * p[1], scene.radius};
     const double pdf_area = 1 / (pi * scene.radius * scene.radius);

@@ -47,21 +47,21 @@ EnvironmentMap::EnvironmentMap(std::size_t width, std::size_t height, std::vecto
     rows_.emplace_back(row_weights);
 }
 
-std::optional<EmitterSample> EnvironmentMap::sample(Vec3, const Point<2>& u) const {
+std::optional<LightSample> EnvironmentMap::sample(Vec3, const Point<2>& u) const {
     const double v = rows_[0].sample(u[1]);
     const std::size_t row = cell_at(v, height_);
     const double longitude = columns_[row].sample(u[0]);
     const double down = v * static_cast<double>(height_) - static_cast<double>(row);
     const double cos = (1 - down) * cos_above(row) + down * cos_above(row + 1);
     const double sin = std::sqrt(std::max(0.0, (1 - cos) * (1 + cos))), phi = 2 * pi * longitude;
-    return EmitterSample{.direction = frame_.to_world({sin * std::sin(phi), cos, -sin * std::cos(phi)}),
-                         .radiance = lookup({longitude, std::acos(cos) / pi}),
-                         .pdf = pdf({cell_at(longitude, width_), row})};
+    return LightSample{.direction = frame_.to_world({sin * std::sin(phi), cos, -sin * std::cos(phi)}),
+                       .radiance = lookup({longitude, std::acos(cos) / pi}),
+                       .pdf = pdf({cell_at(longitude, width_), row})};
 }
 
-std::optional<EmitterHit> EnvironmentMap::hit(Vec3, Vec3 direction) const {
+std::optional<LightHit> EnvironmentMap::hit(Vec3, Vec3 direction) const {
     const Point<2> uv = place_of(direction);
-    return EmitterHit{.radiance = lookup(uv), .pdf = pdf({cell_at(uv[0], width_), cell_at(uv[1], height_)})};
+    return LightHit{.radiance = lookup(uv), .pdf = pdf({cell_at(uv[0], width_), cell_at(uv[1], height_)})};
 }
 
 /// ∫ L dω exactly: in longitude the hat function of a pixel has the integral Δφ; in latitude that of row j against

@@ -22,14 +22,14 @@ namespace plumb {
 /// longitude and cos θ are drawn uniformly, so no 1/sin θ appears and the density is bounded.
 class EnvironmentMap {
 public:
-    static constexpr EmitterKind kind = EmitterKind::environment;
+    static constexpr LightKind kind = LightKind::environment;
 
     /// pixels row by row; `frame` is the map's axes in the world. Throws Error for a map of no size, not finite,
     /// negative, or all black.
     EnvironmentMap(std::size_t width, std::size_t height, std::vector<Spectrum> pixels, const Frame& frame = {});
 
-    [[nodiscard]] std::optional<EmitterSample> sample(Vec3 from, const Point<2>& u) const;
-    [[nodiscard]] std::optional<EmitterHit> hit(Vec3 from, Vec3 direction) const;
+    [[nodiscard]] std::optional<LightSample> sample(Vec3 from, const Point<2>& u) const;
+    [[nodiscard]] std::optional<LightHit> hit(Vec3 from, Vec3 direction) const;
     [[nodiscard]] EmittedRay sample_ray(const Ball& scene, const Point<2>& u, const Point<2>& v) const {
         return send_from_afar(scene, *sample(scene.centre, v), u);
     }
@@ -59,7 +59,7 @@ private:
     std::vector<PiecewiseConstant> columns_;  // of each row
     std::vector<PiecewiseConstant> rows_;     // one
 };
-static_assert(EmitterModel<EnvironmentMap>);
+static_assert(LightModel<EnvironmentMap>);
 
 namespace description {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "estimators/densities/piecewise_constant.h"
-#include "scenes/emitters/emitter.h"
+#include "scenes/emitters/light.h"
 
 namespace plumb {
 

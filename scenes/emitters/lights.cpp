@@ -48,11 +48,11 @@ double pdf_of_sample(const Light& light, Vec3 from, Vec3 direction, Vec3 positio
     if (std::holds_alternative<PointLight>(light)) return 1;
     const double cos_at_light = -dot(normal, direction);
     if (!(cos_at_light > 0)) return 0;
-    const auto pdf = [&](const auto& emitter) {
-        if constexpr (requires { emitter.pdf_area(); })
-            return per_steradian(emitter.pdf_area(), length(position - from), cos_at_light);
-        else if constexpr (requires { emitter.pdf(from); })
-            return emitter.pdf(from);
+    const auto pdf = [&](const auto& model) {
+        if constexpr (requires { model.pdf_area(); })
+            return per_steradian(model.pdf_area(), length(position - from), cos_at_light);
+        else if constexpr (requires { model.pdf(from); })
+            return model.pdf(from);
         else
             return 0.0;
     };

@@ -38,6 +38,6 @@ public:
         : AreaLight(MeshSurface(std::move(triangles)), radiance) {}
     static MeshLight of(const Mesh& mesh, const Spectrum& radiance) { return {triangles_of(mesh), radiance}; }
 };
-static_assert(EmitterModel<MeshLight>);
+static_assert(LightModel<MeshLight>);
 
 }  // namespace plumb

@@ -4,25 +4,25 @@
 
 #include "estimators/densities/warps.h"
 #include "scenes/description/models.h"
-#include "scenes/emitters/emitter.h"
+#include "scenes/emitters/light.h"
 
 namespace plumb {
 
 /// Shines from one point with the same intensity (per steradian) to every side: what arrives falls as 1/d².
 struct PointLight {
-    static constexpr EmitterKind kind = EmitterKind::point;
+    static constexpr LightKind kind = LightKind::point;
 
     Vec3 position;
     Spectrum intensity;
 
-    [[nodiscard]] std::optional<EmitterSample> sample(Vec3 from, const Point<2>&) const {
+    [[nodiscard]] std::optional<LightSample> sample(Vec3 from, const Point<2>&) const {
         const Vec3 way = position - from;
         const double squared = length_squared(way);
         if (!(squared > 0)) return {};
         const double distance = std::sqrt(squared);
-        return EmitterSample{way / distance, distance, intensity / squared, 1, Measure::discrete};
+        return LightSample{way / distance, distance, intensity / squared, 1, Measure::discrete};
     }
-    [[nodiscard]] std::optional<EmitterHit> hit(Vec3, Vec3) const { return {}; }
+    [[nodiscard]] std::optional<LightHit> hit(Vec3, Vec3) const { return {}; }
     [[nodiscard]] EmittedRay sample_ray(const Ball&, const Point<2>&, const Point<2>& v) const {
         const Vec3 direction = sample_uniform_sphere(v);
         const double pdf = uniform_sphere_pdf(direction);
@@ -33,7 +33,7 @@ struct PointLight {
     }
     [[nodiscard]] Spectrum power(double) const { return intensity * (4 * std::numbers::pi); }
 };
-static_assert(EmitterModel<PointLight>);
+static_assert(LightModel<PointLight>);
 
 namespace description {
 

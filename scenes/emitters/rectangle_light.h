@@ -50,6 +50,6 @@ public:
     /// Of a mesh of two triangles that are halves of one parallelogram; empty for any other.
     static std::optional<RectangleLight> of(const Mesh& mesh, const Spectrum& radiance);
 };
-static_assert(EmitterModel<RectangleLight>);
+static_assert(LightModel<RectangleLight>);
 
 }  // namespace plumb

@@ -11,7 +11,7 @@ namespace plumb {
 /// sampled uniformly [Shirley, Wang & Zimmerman 1996]; from inside all directions are.
 class SphereLight {
 public:
-    static constexpr EmitterKind kind = EmitterKind::surface;
+    static constexpr LightKind kind = LightKind::surface;
     enum class Side { outwards, inwards };
 
     SphereLight(Vec3 centre, double radius, const Spectrum& radiance, Side side = Side::outwards)
@@ -24,7 +24,7 @@ public:
         return {sphere.center, sphere.radius, radiance, sphere.flip_normals ? Side::inwards : Side::outwards};
     }
 
-    [[nodiscard]] std::optional<EmitterSample> sample(Vec3 from, const Point<2>& u) const {
+    [[nodiscard]] std::optional<LightSample> sample(Vec3 from, const Point<2>& u) const {
         const Vec3 to_centre = centre_ - from;
         const double d = to_distance(to_centre);
         if (!shines_at(d)) return {};
@@ -34,17 +34,17 @@ public:
         const double sin_squared = local.x * local.x + local.y * local.y;
         const double reach = distance(d, local.z, sin_squared);
         const Vec3 from_centre = normalize(direction * reach - to_centre);
-        return EmitterSample{direction,           reach, radiance_, uniform_cone_pdf(local, cone), Measure::solid_angle,
-                             shining(from_centre)};
+        return LightSample{direction,           reach, radiance_, uniform_cone_pdf(local, cone), Measure::solid_angle,
+                           shining(from_centre)};
     }
-    [[nodiscard]] std::optional<EmitterHit> hit(Vec3 from, Vec3 direction) const {
+    [[nodiscard]] std::optional<LightHit> hit(Vec3 from, Vec3 direction) const {
         const Vec3 to_centre = centre_ - from;
         const double d = to_distance(to_centre);
         if (!shines_at(d)) return {};
         const double cos = d > 0 ? dot(direction, to_centre) / d : 1;
         const double sin_squared = d > 0 ? length_squared(cross(direction, to_centre)) / (d * d) : 0;
         if (d > radius_ && !(cos > 0 && d * d * sin_squared <= radius_ * radius_)) return {};
-        return EmitterHit{distance(d, cos, sin_squared), radiance_, cone_pdf(d)};
+        return LightHit{distance(d, cos, sin_squared), radiance_, cone_pdf(d)};
     }
     /// Per steradian at `from`, alike for all directions that meet the light.
     [[nodiscard]] double pdf(Vec3 from) const {
@@ -92,6 +92,6 @@ private:
     Spectrum radiance_;
     Side side_;
 };
-static_assert(EmitterModel<SphereLight>);
+static_assert(LightModel<SphereLight>);
 
 }  // namespace plumb

@@ -1,21 +1,21 @@
 #pragma once
 
 #include "estimators/densities/warps.h"
-#include "scenes/emitters/emitter.h"
+#include "scenes/emitters/light.h"
 
 namespace plumb {
 
-// What all emitters that are sampled by area share.
+// What all lights that are sampled by area share.
 
 /// The sample at a point of a light that shines to the side of its normal, chosen with density pdf_area.
-inline std::optional<EmitterSample> sample_towards(Vec3 from, const SurfacePoint& point, const Spectrum& radiance,
-                                                   double pdf_area) {
+inline std::optional<LightSample> sample_towards(Vec3 from, const SurfacePoint& point, const Spectrum& radiance,
+                                                 double pdf_area) {
     const Vec3 way = point.position - from;
     const double distance = length(way);
     const double cos_at_light = -dot(point.normal, way) / distance;
     if (!(cos_at_light > 0)) return {};
-    return EmitterSample{way / distance,       distance, radiance, per_steradian(pdf_area, distance, cos_at_light),
-                         Measure::solid_angle, point};
+    return LightSample{way / distance,       distance, radiance, per_steradian(pdf_area, distance, cos_at_light),
+                       Measure::solid_angle, point};
 }
 
 /// The distance at which a ray meets the shining side of a plane, with the cosine there.

@@ -10,8 +10,8 @@
 
 namespace plumb {
 
-// Conventions of every sensor, held to by verification/suites/film/cameras.cpp. A sensor mirrors an emitter
-// (scenes/emitters/emitter.h) with importance W for radiance:
+// Conventions of every sensor, held to by verification/suites/film/cameras.cpp. A sensor mirrors a light
+// (scenes/emitters/light.h) with importance W for radiance:
 //   film points are in pixels, x right and y down, pixel (i, j) covers [i, i+1) × [j, j+1), its centre is at + ½;
 //   a pixel is I = ∫ h(p) L(ray(p, lens)) dp dlens: p per pixel², h the filter (of integral 1), lens uniform. So the
 //   weight of a ray is 1, and pixels do not change when the film gets more of them;

@@ -5,7 +5,7 @@ namespace plumb {
 namespace {
 
 struct ShadowRays final : Visibility {
-    [[nodiscard]] double sample(const Scene& scene, const SurfacePoint& from, const EmitterSample& end, SampleIndex,
+    [[nodiscard]] double sample(const Scene& scene, const SurfacePoint& from, const LightSample& end, SampleIndex,
                                 Draws&, RayLog& rays) const override {
         return scene.transmittance(from, end, rays);
     }

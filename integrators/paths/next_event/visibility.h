@@ -11,7 +11,7 @@ namespace plumb {
 struct Visibility {
     virtual ~Visibility() = default;
     /// Its expectation is Scene::transmittance.
-    [[nodiscard]] virtual double sample(const Scene& scene, const SurfacePoint& from, const EmitterSample& end,
+    [[nodiscard]] virtual double sample(const Scene& scene, const SurfacePoint& from, const LightSample& end,
                                         SampleIndex index, Draws& draws, RayLog& rays) const = 0;
 };
 

@@ -4,7 +4,7 @@
 
 #include "core/srgb.h"
 #include "integrators/drivers/render.h"
-#include "integrators/estimators/light.h"
+#include "integrators/estimators/light_tracer.h"
 #include "integrators/estimators/path.h"
 #include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
@@ -114,7 +114,7 @@ Renderer by(const E& estimator) {
     return std::make_shared<E>(estimator);
 }
 Direct direct_with(const NextEvent& next_event) {
-    return Direct(emitters_alone, next_event);
+    return Direct(lights_alone, next_event);
 }
 Renderer direct() {
     return by(direct_with({}));
@@ -132,8 +132,8 @@ Job still(std::uint32_t per_pass) {
 
 /// Light on the ball without its cosine.
 struct WithoutCosineOnBall final : Visibility {
-    [[nodiscard]] double sample(const Scene& scene, const SurfacePoint& from, const EmitterSample& end,
-                                SampleIndex index, Draws& draws, RayLog& rays) const override {
+    [[nodiscard]] double sample(const Scene& scene, const SurfacePoint& from, const LightSample& end, SampleIndex index,
+                                Draws& draws, RayLog& rays) const override {
         const double arrives = shadow_rays()->sample(scene, from, end, index, draws, rays);
         const auto& sphere = std::get<description::Sphere>(scene.description().shapes[ball].geometry);
         const bool on_ball = std::abs(length(from.position - sphere.center) / sphere.radius - 1) < 1e-4;

@@ -167,7 +167,7 @@ struct Technique {
     std::uint32_t n;
 };
 const std::vector<Technique>& techniques() {
-    static const std::vector<Technique> list{{"emitters", "samples of emitters", emitters_alone, 5e-3, 16},
+    static const std::vector<Technique> list{{"emitters", "samples of lights", lights_alone, 5e-3, 16},
                                              {"bsdf", "samples of the BSDF", bsdf_alone, 2e-2, 32},
                                              {"mis", "both, weighted", one_of_each, 1e-2, 32}};
     return list;
@@ -178,7 +178,7 @@ Verdict is_closed_form(const std::vector<Case>& cases, const Technique& techniqu
     std::vector<Verdict> parts;
     const double delta = run.pick(technique.delta, technique.delta / 4);
     for (const Case& c : cases) {
-        if (c.touching && technique.used == emitters_alone) continue;
+        if (c.touching && technique.used == lights_alone) continue;
         const Measurement measurement{*c.scene, estimator, c.film, c.region, technique.n};
         // Single precision of vertices and origins moves what is seen by less than 1e-6 of the distances, all near 1.
         parts.push_back(mean_is([&](RandomStream& random) { return measurement.draw(random)[0]; },
@@ -198,15 +198,15 @@ void drop_cosine(SceneLightSample& light, const SurfacePoint& from) {
     light.sample.radiance *= 1 / std::abs(dot(from.normal, light.sample.direction));
 }
 void take_per_area(SceneLightSample& light, const SurfacePoint&) {
-    const EmitterSample& s = light.sample;
+    const LightSample& s = light.sample;
     light.pdf /= per_steradian(1, s.distance, std::abs(dot(s.surface->normal, s.direction)));
 }
 
-std::vector<Defect> emitter_defects() {
+std::vector<Defect> light_defects() {
     return {{"cosine-dropped", "The cosine at the receiver is missing.",
-             std::make_shared<Direct>(emitters_alone, with_changed_lights(drop_cosine))},
+             std::make_shared<Direct>(lights_alone, with_changed_lights(drop_cosine))},
             {"area-measure", "The density per area is used per steradian.",
-             std::make_shared<Direct>(emitters_alone, with_changed_lights(take_per_area))}};
+             std::make_shared<Direct>(lights_alone, with_changed_lights(take_per_area))}};
 }
 
 std::vector<Defect> bsdf_defects() {
@@ -226,26 +226,26 @@ std::vector<Defect> bsdf_defects() {
                                                      const Draws& of_vertex, PathRecord& record) {
                            PathVertex other = vertex;
                            other.frame = Frame(up);
-                           return light_from_bsdf(scene, other, 1, with_counts({}, bsdf_alone), of_vertex, record);
+                           return gather_from_bsdf(scene, other, 1, with_counts({}, bsdf_alone), of_vertex, record);
                        })});
     return defects;
 }
 
 std::vector<Defect> mis_defects() {
     const NextEvent balance = with_weight(mis_weight<Balance>);
-    return {{"squared-on-one-side", "The power heuristic for emitters, the balance heuristic for BSDFs.",
+    return {{"squared-on-one-side", "The power heuristic for lights, the balance heuristic for BSDFs.",
              std::make_shared<DirectBy>(
                  [balance](const Scene& scene, const PathVertex& vertex, const Draws& of_vertex, PathRecord& record) {
-                     return light_from_emitters(scene, vertex, 1, {}, of_vertex, record) +
-                            light_from_bsdf(scene, vertex, 1, balance, of_vertex, record);
+                     return gather_from_lights(scene, vertex, 1, {}, of_vertex, record) +
+                            gather_from_bsdf(scene, vertex, 1, balance, of_vertex, record);
                  })},
             {"counted-twice", "Both techniques count in full.", std::make_shared<Direct>(with_weight(in_full))}};
 }
 
 std::vector<Defect> defects_of(const Technique& technique) {
-    std::vector<Defect> list = technique.used == emitters_alone ? emitter_defects()
-                               : technique.used == bsdf_alone   ? bsdf_defects()
-                                                                : mis_defects();
+    std::vector<Defect> list = technique.used == lights_alone ? light_defects()
+                               : technique.used == bsdf_alone ? bsdf_defects()
+                                                              : mis_defects();
     list.push_back({"slightly-bright", fmt::format("{:.3g} % too bright.", 250 * technique.delta),
                     std::make_shared<Scaled>(std::make_shared<Direct>(technique.used), 1 + 2.5 * technique.delta)});
     return list;
@@ -287,7 +287,7 @@ void add_direct_closed_forms(Catalogue& catalogue) {
                            {"area-measure", "frame-of-the-world"}});
     add_family(catalogue, {"disk", "the closed form under 6 disks", "ours, analytic/irradiance.cpp", disk_cases});
     add_family(catalogue, {"form-factor",
-                           "over a whole plate, the form factor of two plates and, but for samples of emitters, of a "
+                           "over a whole plate, the form factor of two plates and, but for samples of lights, of a "
                            "box's walls",
                            "[Howell, C-11, C-14]",
                            form_factor_cases,

@@ -98,7 +98,7 @@ void add_values(Catalogue& catalogue) {
              .source = "ours, scenes/film/film.h",
              .kind = Kind::exact,
              .trial = {check,
-                       {std::make_shared<Direct>(), std::make_shared<Direct>(emitters_alone),
+                       {std::make_shared<Direct>(), std::make_shared<Direct>(lights_alone),
                         std::make_shared<Direct>(bsdf_alone), std::make_shared<Aov>()},
                        unsound()},
              // Loading it takes seconds.

@@ -63,7 +63,7 @@ Replicate error_of(const Subject& subject) {
         const Point<2> film{x, random.uniform()};
         const std::uint64_t seed = random.bits();
         Sampler sampler(subject.sampler, static_cast<std::uint32_t>(n));
-        const Direct direct(emitters_alone);
+        const Direct direct(lights_alone);
         PathRecord record;
         double sum = 0, truth = mean;
         for (std::uint32_t i = 0; i < n; ++i) {

@@ -1,4 +1,4 @@
-// Samples of emitters, of BSDFs, and of both find the same light where no closed form is known: glossy, textured and
+// Samples of lights, of BSDFs, and of both find the same light where no closed form is known: glossy, textured and
 // masked surfaces, several lights, environments.
 
 #include "scenes/mitsuba/mitsuba_xml.h"
@@ -63,7 +63,7 @@ const std::vector<View>& views() {
          studio,
          Point<2>{3.5, 4.5},
          {},
-         emitters_alone,
+         lights_alone,
          0.02,
          64},
         {"studio-bsdf",
@@ -79,7 +79,7 @@ const std::vector<View>& views() {
          [] { return shipped("glass"); },
          Point<2>{60.5, 150.5},
          {},
-         emitters_alone,
+         lights_alone,
          0.02,
          64},
         {"sky-bsdf",
@@ -95,7 +95,7 @@ const std::vector<View>& views() {
          [] { return shipped("veach_plates"); },
          Point<2>{150.5, 150.5},
          {},
-         emitters_alone,
+         lights_alone,
          0.02,
          64},
         {"plates-bsdf",
@@ -143,7 +143,7 @@ double environment_alone(const Scene& scene, Vec3 from, Vec3 direction) {
     return 0;
 }
 
-/// light_from_bsdf with another density for the environment.
+/// gather_from_bsdf with another density for the environment.
 Spectrum from_bsdf_without_pmf(const Scene& scene, const PathVertex& vertex, const Draws& of_vertex,
                                PathRecord& record) {
     Draws draws = of_vertex.branch();
@@ -194,7 +194,7 @@ Verdict is_white(const PathEstimator& estimator, const Run& run) {
 void add_environment(Catalogue& catalogue) {
     const auto check = [](const Estimator& estimator, const Run& run) { return is_white(*estimator, run); };
     const auto one_side = [](const Scene& scene, const PathVertex& vertex, const Draws& draws, PathRecord& record) {
-        return light_from_emitters(scene, vertex, 1, {}, draws, record) +
+        return gather_from_lights(scene, vertex, 1, {}, draws, record) +
                from_bsdf_without_pmf(scene, vertex, draws, record);
     };
     catalogue.add(
@@ -220,7 +220,7 @@ void add_direct_techniques(Catalogue& catalogue) {
         catalogue.add(
             {.id = "direct/techniques/" + view.id,
              .statement = fmt::format("Of {}, samples of {} and both techniques, weighted, find the same.", view.title,
-                                      view.against == bsdf_alone ? "the BSDF" : "emitters"),
+                                      view.against == bsdf_alone ? "the BSDF" : "lights"),
              .source = "[Veach & Guibas 1995]",
              .kind = Kind::mean,
              .trial = {[=](const Estimator& estimator, const Run& run) { return agree(view, *estimator, run); },

@@ -143,13 +143,13 @@ Verdict share_of_camera_rays(double first, const Run& run) {
 }
 
 struct Unhidden final : Visibility {
-    [[nodiscard]] double sample(const Scene&, const SurfacePoint&, const EmitterSample&, SampleIndex, Draws&,
+    [[nodiscard]] double sample(const Scene&, const SurfacePoint&, const LightSample&, SampleIndex, Draws&,
                                 RayLog&) const override {
         return 1;
     }
 };
 struct Solid final : Visibility {
-    [[nodiscard]] double sample(const Scene& scene, const SurfacePoint& from, const EmitterSample& end, SampleIndex,
+    [[nodiscard]] double sample(const Scene& scene, const SurfacePoint& from, const LightSample& end, SampleIndex,
                                 Draws&, RayLog& rays) const override {
         return scene.transmittance(from, end, rays) < 1 ? 0 : 1;
     }

@@ -1,4 +1,4 @@
-// Irradiance from lights with nothing in between, by emitter samples, against closed forms; and the choice among
+// Irradiance from lights with nothing in between, by light samples, against closed forms; and the choice among
 // lights.
 
 #include "analytic/irradiance.h"
@@ -20,9 +20,9 @@ namespace {
 
 const Spectrum white = Spectrum::grey(1);
 
-using SampleFrom = std::function<std::optional<EmitterSample>(Vec3 from, const Point<2>& u)>;
+using SampleFrom = std::function<std::optional<LightSample>(Vec3 from, const Point<2>& u)>;
 /// Changes a sample seen from a place: the defect of a mutant.
-using Defect = std::function<void(EmitterSample&)>;
+using Defect = std::function<void(LightSample&)>;
 
 struct Placement {
     std::string name;
@@ -32,7 +32,7 @@ struct Placement {
     double largest;  ///< of cos θ L / pdf
 };
 
-double contribution(const EmitterSample& sample, Vec3 normal) {
+double contribution(const LightSample& sample, Vec3 normal) {
     return sample.radiance[0] * std::max(0.0, dot(normal, sample.direction)) / sample.pdf;
 }
 
@@ -148,7 +148,7 @@ void add_irradiance(Catalogue& catalogue, const std::string& name, const std::st
                     const std::string& source, const std::function<std::vector<Placement>()>& placements,
                     std::vector<Wrong<Defect>> wrong) {
     const auto check = [=](const Defect& defect, const Run& run) { return all_irradiances(placements(), defect, run); };
-    wrong.push_back({"one-percent", "The density is 1 % too small.", [](EmitterSample& s) { s.pdf *= 0.99; }});
+    wrong.push_back({"one-percent", "The density is 1 % too small.", [](LightSample& s) { s.pdf *= 0.99; }});
     catalogue.add({.id = "light/" + name + "/irradiance",
                    .statement = fmt::format("Samples of {} give the irradiance of the closed form at {} placements.",
                                             lights, count),
@@ -244,10 +244,9 @@ void add_choice(Catalogue& catalogue) {
 
 void add_lights_irradiance(Catalogue& catalogue) {
     const std::vector<Wrong<Defect>> planar{
-        {"without-distance", "d² is missing in the density.",
-         [](EmitterSample& s) { s.pdf /= s.distance * s.distance; }},
+        {"without-distance", "d² is missing in the density.", [](LightSample& s) { s.pdf /= s.distance * s.distance; }},
         {"cosine-squared", "The cosine at the receiver is squared.",
-         [](EmitterSample& s) { s.radiance = s.radiance * std::abs(s.direction.z); }}};
+         [](LightSample& s) { s.radiance = s.radiance * std::abs(s.direction.z); }}};
     add_irradiance(
         catalogue, "rectangle", "a rectangle light", 12, "[Lambert 1760]; analytic/irradiance.h",
         [] { return polygon_placements(false); }, planar);
@@ -257,7 +256,7 @@ void add_lights_irradiance(Catalogue& catalogue) {
     add_irradiance(catalogue, "sphere", "a sphere light, parts of it below the horizon,", 12,
                    "[Snyder 1996]; analytic/irradiance.h", sphere_placements,
                    {{"hemisphere", "The density is that of a cone of twice the solid angle.",
-                     [](EmitterSample& s) { s.pdf /= 2; }}});
+                     [](LightSample& s) { s.pdf /= 2; }}});
     add_irradiance(catalogue, "disk", "a disk light", 6, "ours, analytic/irradiance.cpp", disk_placements, planar);
     add_choice(catalogue);
 }

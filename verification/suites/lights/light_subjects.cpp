@@ -16,19 +16,19 @@ namespace {
 const Spectrum radiance = Spectrum::rgb(1, 2, 3);
 
 template <class E>
-Light light_of(std::string name, std::string title, const E& emitter) {
+Light light_of(std::string name, std::string title, const E& model) {
     Light light;
     light.name = std::move(name);
     light.title = std::move(title);
     light.source = "ours, scenes/emitters";
-    light.sample = [emitter](Vec3 from, const Point<2>& u) { return emitter.sample(from, u); };
-    light.hit = [emitter](Vec3 from, Vec3 direction) { return emitter.hit(from, direction); };
-    light.power = [emitter](double scene_radius) { return emitter.power(scene_radius); };
-    light.sample_ray = [emitter](const Ball& scene, const Point<2>& u, const Point<2>& v) {
-        return emitter.sample_ray(scene, u, v);
+    light.sample = [model](Vec3 from, const Point<2>& u) { return model.sample(from, u); };
+    light.hit = [model](Vec3 from, Vec3 direction) { return model.hit(from, direction); };
+    light.power = [model](double scene_radius) { return model.power(scene_radius); };
+    light.sample_ray = [model](const Ball& scene, const Point<2>& u, const Point<2>& v) {
+        return model.sample_ray(scene, u, v);
     };
-    light.ray_pdf = [emitter](const Ball& scene, Vec3 normal, Vec3 direction) {
-        return emitter.ray_pdf(scene, normal, direction);
+    light.ray_pdf = [model](const Ball& scene, Vec3 normal, Vec3 direction) {
+        return model.ray_pdf(scene, normal, direction);
     };
     return light;
 }

@@ -4,16 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "scenes/emitters/emitter.h"
 #include "scenes/emitters/environment_map.h"
+#include "scenes/emitters/light.h"
 
 namespace plumb::suites {
 
-/// An emitter on trial, with what is known of it by hand.
+/// A light on trial, with what is known of it by hand.
 struct Light {
     std::string name, title, source;
-    std::function<std::optional<EmitterSample>(Vec3 from, const Point<2>& u)> sample;
-    std::function<std::optional<EmitterHit>(Vec3 from, Vec3 direction)> hit;
+    std::function<std::optional<LightSample>(Vec3 from, const Point<2>& u)> sample;
+    std::function<std::optional<LightHit>(Vec3 from, Vec3 direction)> hit;
     std::function<Spectrum(double)> power;
     std::function<EmittedRay(const Ball& scene, const Point<2>& u, const Point<2>& v)> sample_ray;
     std::function<EmittedRayPdf(const Ball& scene, Vec3 normal, Vec3 direction)> ray_pdf;

@@ -1,4 +1,4 @@
-// Emitters one by one: the density of a sample is 1/Jacobian of its direction, a ray that meets the light tells the
+// Lights one by one: the density of a sample is 1/Jacobian of its direction, a ray that meets the light tells the
 // same story as the sample, the density integrates to 1 over all directions, the flux through a closed surface is the
 // power.
 
@@ -128,7 +128,7 @@ void add_one(Catalogue& catalogue, const Light& light) {
                              light.power(light.enclosing)[1],
                              {{"without-pi", "π is missing.", light.power(light.enclosing)[1] / pi}}}});
     catalogue.add({.id = id + "/flux",
-                   .statement = "The flux of " + light.title + " through a sphere, by emitter samples, is its power.",
+                   .statement = "The flux of " + light.title + " through a sphere, by light samples, is its power.",
                    .source = "ours, verification/suites/lights/lights.cpp",
                    .kind = Kind::mean,
                    .trial = {flux_is_power, light, {{"another-sample", light.pdf_defect, light.with_wrong_pdf()}}}});

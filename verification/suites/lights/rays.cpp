@@ -1,5 +1,5 @@
-// Rays that emitters send: their densities are 1/Jacobian of origin and direction and are known again from the ray,
-// their weights are radiance over density, on average the power, and they light a receiver as emitter samples do.
+// Rays that lights send: their densities are 1/Jacobian of origin and direction and are known again from the ray,
+// their weights are radiance over density, on average the power, and they light a receiver as light samples do.
 
 #include "estimators/densities/warps.h"
 #include "verification/claim.h"
@@ -88,7 +88,7 @@ Verdict flux_is_power(const Light& light, const Run& run) {
                    run);
 }
 
-/// Through the unit square at z = 0, from above: what rays carry less what emitter samples say.
+/// Through the unit square at z = 0, from above: what rays carry less what light samples say.
 Verdict rays_arrive(const Light& light, const Run& run) {
     const Ball scene = scene_of(light);
     const auto draw = [&](RandomStream& random) {
@@ -105,7 +105,7 @@ Verdict rays_arrive(const Light& light, const Run& run) {
 }
 
 void add_one(Catalogue& catalogue, const Light& light) {
-    const std::string id = "light/" + light.name, source = "ours, scenes/emitters/emitter.h";
+    const std::string id = "light/" + light.name, source = "ours, scenes/emitters/light.h";
     const Light twice_the_area = with_rays(light, [](EmittedRay& ray) { ray.pdf.area /= 2; });
     const Light uniform = with_rays(light, [](EmittedRay& ray) { ray.pdf.direction = 1 / (2 * pi); });
     if (light.hits)

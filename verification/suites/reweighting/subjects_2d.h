@@ -15,7 +15,6 @@
 
 namespace plumb::suites {
 
-
 using Samples = std::vector<Point<2>>;
 using Weigh = std::function<std::vector<double>(std::span<const Point<2>>)>;
 

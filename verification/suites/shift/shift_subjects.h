@@ -17,7 +17,7 @@ struct PixelPair {
 
 /// A floor, a wall and a lamp on either side of a curtain that lets half of the light through, the curtain in sight.
 const Scene& curtain_scene();
-/// A shining wall before a floor, seen in rough metal: most connections end at emitters.
+/// A shining wall before a floor, seen in rough metal: most connections end at lights.
 const Scene& metal_scene();
 
 /// Pixels of scenes of all kinds of lights and ends of connections.

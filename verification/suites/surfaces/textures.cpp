@@ -95,7 +95,7 @@ Passed through_plates(double first, double second) {
     RayLog rays;
     std::uint64_t passed = 0;
     for (int i = 0; i < lattice; ++i) passed += !scene.intersect(leave(from, {0, 0, 1}), (i + 0.5) / lattice, rays);
-    EmitterSample sample;
+    LightSample sample;
     sample.direction = {0, 0, 1};
     sample.distance = HUGE_VAL;
     return {static_cast<double>(passed) / lattice, scene.transmittance(from, sample, rays)};

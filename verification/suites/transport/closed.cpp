@@ -122,7 +122,7 @@ void add_path(Catalogue& catalogue) {
     };
     add_lengths(
         catalogue, "path/glowing-sphere", "By path tracing, " + own_light, glowing, fine, tracer(longest),
-        {{"met-twice", "Light that is met counts in full beside the emitters' samples.", tracer(longest, in_full)}});
+        {{"met-twice", "Light that is met counts in full beside the lights' samples.", tracer(longest, in_full)}});
     add_lengths(catalogue, "path/sphere-around-point", "By path tracing, " + of_point, around_point, exact,
                 tracer(longest), {{"one-edge-less", "Paths end behind one edge less.", tracer(longest - 1)}});
 }

@@ -135,7 +135,7 @@ Made without_light_samples(int longest) {
     });
 }
 Defect left_out(int longest) {
-    return {"strategy-left-out", "Emitters are not sampled: strategies (1, t) are left out.",
+    return {"strategy-left-out", "Lights are not sampled: strategies (1, t) are left out.",
             without_light_samples(longest)};
 }
 

@@ -59,8 +59,8 @@ struct Misdivided final : LightChoice {
 struct RandomShadowRays final : Visibility {
     bool divided;
     explicit RandomShadowRays(bool d) : divided(d) {}
-    [[nodiscard]] double sample(const Scene& scene, const SurfacePoint& from, const EmitterSample& end,
-                                SampleIndex index, Draws& draws, RayLog& rays) const override {
+    [[nodiscard]] double sample(const Scene& scene, const SurfacePoint& from, const LightSample& end, SampleIndex index,
+                                Draws& draws, RayLog& rays) const override {
         const double survives = 0.6 + 0.2 * std::sin(3 * from.position.x + 5 * from.position.y);
         if (draws.at(index.slot(Use::visibility))[0] >= survives) return 0;
         return scene.transmittance(from, end, rays) / (divided ? survives : 0.8);

@@ -36,7 +36,7 @@ NextEvent counting_twice() {
     return with_weight(in_full);
 }
 
-NextEvent unweighted_emitter_density() {
+NextEvent unweighted_light_density() {
     NextEvent next_event;
     next_event.weight = [](std::span<const double> densities, std::size_t own) {  // squared on one side
         const double p = densities[own], q = densities[1 - own];
@@ -123,7 +123,7 @@ void add_furnace(Catalogue& catalogue) {
         // Light that is met in full would have no finite variance here: the mutant of it is beside two spheres.
         if (edges > 1)
             wrong.push_back({"mis-squared-on-one-side", "The heuristic squares one of the two densities.",
-                             paths_with(unweighted_emitter_density(), {.max_edges = edges})});
+                             paths_with(unweighted_light_density(), {.max_edges = edges})});
         catalogue.add({.id = fmt::format("render/path/furnace-{}", edges),
                        .statement = fmt::format("In a closed box of albedo ½ that shines everywhere, paths of at most "
                                                 "{} edges see 1 + ½ + … = {}.",
@@ -142,7 +142,7 @@ void add_furnace(Catalogue& catalogue) {
                               {"no-compensation", "What survives the roulette carries no more than before.",
                                std::make_shared<OwnRoulette>(without_compensation)},
                               {"mis-squared-on-one-side", "The heuristic squares one of the two densities.",
-                               paths_with(unweighted_emitter_density())}}}});
+                               paths_with(unweighted_light_density())}}}});
 }
 
 // ---- a shining sphere within a reflecting one
@@ -177,7 +177,7 @@ void add_spheres(Catalogue& catalogue) {
          .kind = Kind::mean,
          .trial = {check,
                    paths(),
-                   {{"met-twice", "Light that is met counts in full beside the emitters' samples.",
+                   {{"met-twice", "Light that is met counts in full beside the lights' samples.",
                      paths_with(counting_twice())},
                     {"ends-early", "Paths end behind 8 edges.", paths({.max_edges = 8})},
                     {"roulette-of-two-vertices", "The roulette decides by one vertex and compensates by the next.",

@@ -53,41 +53,41 @@ Verdict same_mean(Made (*by)(const Techniques&), const std::vector<Techniques>& 
     return all_of(std::move(parts));
 }
 
-// ---- weights that are wrong where there are so many samples of emitters and of the BSDF
+// ---- weights that are wrong where there are so many samples of lights and of the BSDF
 
-template <int emitters, int bsdf>
+template <int lights, int bsdf>
 double rivals_counted_once(std::span<const double> densities, std::size_t own) {
     std::array counted{densities[0], densities[1]};
-    counted[1 - own] /= own == 0 ? bsdf : emitters;
+    counted[1 - own] /= own == 0 ? bsdf : lights;
     return mis_weight<Power>(counted, own);
 }
 
-template <int emitters, int bsdf>
+template <int lights, int bsdf>
 double summed(std::span<const double> densities, std::size_t own) {
-    return mis_weight<Power>(densities, own) * (own == 0 ? emitters : bsdf);
+    return mis_weight<Power>(densities, own) * (own == 0 ? lights : bsdf);
 }
 
 void add(Catalogue& catalogue, const std::string& name, Made (*by)(const Techniques&)) {
     using All = std::vector<Techniques>;
-    constexpr TechniqueCounts two_emitters{2, 1}, three_directions{1, 3};
+    constexpr TechniqueCounts two_lights{2, 1}, three_directions{1, 3};
     catalogue.add(
         {.id = fmt::format("render/{}/technique-counts/lamps", name),
-         .statement = fmt::format("With 0 to 3 samples of emitters and of BSDFs, by the power, balance or maximum "
+         .statement = fmt::format("With 0 to 3 samples of lights and of BSDFs, by the power, balance or maximum "
                                   "heuristic, `{}` finds the same light.",
                                   name),
          .source = "[Veach 1997, eq. 9.4]",
          .kind = Kind::mean,
          .trial = {
              [by](const All& all, const Run& run) { return same_mean(by, all, run); },
-             All{{emitters_alone},
+             All{{lights_alone},
                  {bsdf_alone},
-                 {two_emitters},
+                 {two_lights},
                  {three_directions},
                  {three_directions, mis_weight<Balance>},
-                 {two_emitters, mis_weight<Maximum>}},
+                 {two_lights, mis_weight<Maximum>}},
              {{"rivals-counted-once", "A weight counts its own samples, and one of the other technique.",
                All{{three_directions, rivals_counted_once<1, 3>}}},
-              {"summed", "Samples of a technique are added up, not averaged.", All{{two_emitters, summed<2, 1>}}}}}});
+              {"summed", "Samples of a technique are added up, not averaged.", All{{two_lights, summed<2, 1>}}}}}});
 }
 
 }  // namespace

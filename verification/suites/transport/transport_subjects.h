@@ -1,7 +1,7 @@
 #pragma once
 
 #include "integrators/estimators/bdpt.h"
-#include "integrators/estimators/light.h"
+#include "integrators/estimators/light_tracer.h"
 #include "integrators/references/path_classes.h"
 #include "verification/suites/direct/direct_subjects.h"
 

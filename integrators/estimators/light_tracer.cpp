@@ -1,4 +1,4 @@
-#include "integrators/estimators/light.h"
+#include "integrators/estimators/light_tracer.h"
 
 namespace plumb {
 

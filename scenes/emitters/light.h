@@ -13,7 +13,7 @@
 
 namespace plumb {
 
-// Conventions of every emitter, held to by verification/suites/light*.cpp (scenes/sensors/sensor.h mirrors them):
+// Conventions of every light, held to by verification/suites/light*.cpp (scenes/sensors/sensor.h mirrors them):
 //   everything is seen from a reference point `from`, in world space; directions are unit vectors that leave it;
 //   radiance is what arrives at `from`, per lane, nothing in between; densities are per steradian at `from`;
 //   a surface emits on the side its normal points to, and only the first point along a direction counts: a convex light
@@ -25,9 +25,10 @@ namespace plumb {
 //   environments, being nowhere, from the disk that touches a ball around the scene and faces it: the direction first,
 //   then the point of the disk, per area. The weight  L cos θ / (pdf_area · pdf_direction)  is the ray's flux.
 
-enum class EmitterKind { surface, point, environment };
+enum class LightKind { surface, point, environment };
 
-struct EmitterSample {
+/// A direction in which light arrives at `from`, drawn by the light.
+struct LightSample {
     Vec3 direction;
     double distance = std::numeric_limits<double>::infinity();  ///< infinite for environments
     Spectrum radiance;
@@ -37,13 +38,13 @@ struct EmitterSample {
 };
 
 /// What a ray from `from` meets of the light.
-struct EmitterHit {
+struct LightHit {
     double distance = std::numeric_limits<double>::infinity();
     Spectrum radiance;
     double pdf = 0;  ///< of sample(from) for this very direction
 };
 
-/// Of a ray that a light sends.
+/// The density of a ray that a light sends.
 struct EmittedRayPdf {
     double area;       ///< of the origin, per area of the light or of an environment's disk; 1 for a point
     double direction;  ///< per steradian
@@ -57,21 +58,21 @@ struct EmittedRay {
     std::optional<SurfacePoint> surface = {};  ///< that it leaves; its normal is on the shining side
 };
 
-template <class E>
-concept EmitterModel = requires(const E& emitter, Vec3 from, Vec3 normal, Vec3 direction, const Point<2>& u,
-                                const Point<2>& v, const Ball& scene) {
-    { E::kind } -> std::convertible_to<EmitterKind>;
+template <class L>
+concept LightModel = requires(const L& light, Vec3 from, Vec3 normal, Vec3 direction, const Point<2>& u,
+                              const Point<2>& v, const Ball& scene) {
+    { L::kind } -> std::convertible_to<LightKind>;
     /// Empty: this u shows no light (it fell on a side that does not shine); the sample's estimate is 0.
-    { emitter.sample(from, u) } -> std::same_as<std::optional<EmitterSample>>;
+    { light.sample(from, u) } -> std::same_as<std::optional<LightSample>>;
     /// Empty: the ray meets no shining side. Discrete lights are never met.
-    { emitter.hit(from, direction) } -> std::same_as<std::optional<EmitterHit>>;
+    { light.hit(from, direction) } -> std::same_as<std::optional<LightHit>>;
     /// Flux into the scene: watts, of an environment through the disk of the scene's radius, from every direction.
-    { emitter.power(scene.radius) } -> std::same_as<Spectrum>;
+    { light.power(scene.radius) } -> std::same_as<Spectrum>;
     /// u chooses the origin, v the direction.
-    { emitter.sample_ray(scene, u, v) } -> std::same_as<EmittedRay>;
-    /// With which it sends rays along the unit `direction` from where its normal, on the shining side, is `normal`;
-    /// points and environments have no normal.
-    { emitter.ray_pdf(scene, normal, direction) } -> std::same_as<EmittedRayPdf>;
+    { light.sample_ray(scene, u, v) } -> std::same_as<EmittedRay>;
+    /// The density with which the light sends rays along the unit `direction` from where its normal, on the shining
+    /// side, is `normal`; points and environments have no normal.
+    { light.ray_pdf(scene, normal, direction) } -> std::same_as<EmittedRayPdf>;
 };
 
 /// A density per area of a surface, seen from a distance with |cos| at the surface, per steradian: dω = cos dA / d².

@@ -18,7 +18,7 @@ namespace {
 const Spectrum white = Spectrum::grey(1);
 const RectangleLight ceiling({-1, -1, 2}, {0, 2, 0}, {2, 0, 0}, white);  // shines down
 
-TEST(Emitters, ShineToOneSide) {
+TEST(Lights, ShineToOneSide) {
     EXPECT_TRUE(ceiling.sample({0, 0, 0}, {0.3, 0.4}));
     EXPECT_FALSE(ceiling.sample({0, 0, 3}, {0.3, 0.4}));
     EXPECT_TRUE(ceiling.hit({0, 0, 0}, {0, 0, 1}));
@@ -29,7 +29,7 @@ TEST(Emitters, ShineToOneSide) {
     EXPECT_FALSE(SphereLight({}, 1, white, SphereLight::Side::inwards).sample({2, 0, 0}, {0.3, 0.4}));
 }
 
-TEST(Emitters, LightTheSphereThatTheyAreFromAllOverIt) {
+TEST(Lights, LightTheSphereThatTheyAreFromAllOverIt) {
     const SphereLight inwards({0.3, -2, 7}, 1.7, white, SphereLight::Side::inwards);
     for (int i = 0; i < 200; ++i) {  // rounding puts half of these points outside
         const Vec3 p =
@@ -39,7 +39,7 @@ TEST(Emitters, LightTheSphereThatTheyAreFromAllOverIt) {
     }
 }
 
-TEST(Emitters, AreMetWhereTheyStand) {
+TEST(Lights, AreMetWhereTheyStand) {
     EXPECT_DOUBLE_EQ(ceiling.hit({0, 0, 0}, {0, 0, 1})->distance, 2);
     EXPECT_DOUBLE_EQ(SphereLight({0, 0, 5}, 1, white).hit({}, {0, 0, 1})->distance, 4);
     EXPECT_DOUBLE_EQ(SphereLight({0, 0, 0.5}, 1, white, SphereLight::Side::inwards).hit({}, {0, 0, 1})->distance, 1.5);
@@ -47,14 +47,14 @@ TEST(Emitters, AreMetWhereTheyStand) {
     EXPECT_FALSE(DiskLight({0, 0, 3}, {0, 0, -1}, 1, white).hit({1.1, 0, 0}, {0, 0, 1}));
 }
 
-TEST(Emitters, OfOneMeshHideEachOther) {
+TEST(Lights, OfOneMeshHideEachOther) {
     const auto triangle = [](double z) { return Triangle{{-3, -3, z}, {0, 3, z}, {3, -3, z}}; };  // shines down
     const MeshLight mesh({triangle(2), triangle(1)}, white);
     EXPECT_DOUBLE_EQ(mesh.hit({}, {0, 0, 1})->distance, 1);
     EXPECT_DOUBLE_EQ(mesh.hit({}, {0, 0, 1})->pdf, 1 / 36.0);
 }
 
-TEST(Emitters, OfAPointFallWithTheSquare) {
+TEST(Lights, OfAPointFallWithTheSquare) {
     const auto sample = PointLight{{0, 0, 2}, white}.sample({}, {0, 0});
     EXPECT_DOUBLE_EQ(sample->radiance[0], 0.25);
     EXPECT_EQ(sample->measure, Measure::discrete);
@@ -98,7 +98,7 @@ TEST(LightChooser, KeepsProbabilities) {
     EXPECT_DOUBLE_EQ(LightChooser::by_power({{}, {}}).pmf(0), 0.5);
 }
 
-TEST(Emitters, LetShadowRaysEndBeforeTheTrianglesOfARectangle) {
+TEST(Lights, LetShadowRaysEndBeforeTheTrianglesOfARectangle) {
     for (const Point<2>& u : {Point<2>{0.7, 0.2}, Point<2>{0.2, 0.7}}) {
         const SurfacePoint point = ceiling.sample({}, u)->surface.value();
         EXPECT_NEAR(point.position.x, 2 * u[1] - 1, 1e-15);
@@ -108,7 +108,7 @@ TEST(Emitters, LetShadowRaysEndBeforeTheTrianglesOfARectangle) {
     }
 }
 
-TEST(Emitters, RefuseWhatCannotShine) {
+TEST(Lights, RefuseWhatCannotShine) {
     EXPECT_THROW(RectangleLight({}, {1, 0, 0}, {2, 0, 0}, white), Error);
     EXPECT_THROW(DiskLight({}, {0, 0, 1}, 0, white), Error);
     EXPECT_THROW(SphereLight({}, NAN, white), Error);
