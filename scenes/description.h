@@ -12,11 +12,12 @@
 #include "scenes/textures/texture.h"
 
 /// A loaded scene as plain data: what the file says, with references resolved to indices and defaults filled in,
-/// whatever format it was written in and whoever traces rays in it. Each family of models has its list: all.h in
+/// whatever format the file has and whoever traces rays in the scene. Each family of models has its list: all.h in
 /// scenes/{textures,bsdfs,geometry,emitters,sensors}, and scenes/film/filters.h.
 namespace plumb::description {
 
-/// Something in the file that was not followed: ignored because it only advises, or replaced because lenient.
+/// A thing in the file that was not followed: ignored because it only advises, or replaced because the reader is
+/// lenient.
 struct Note {
     enum class Kind { ignored, replaced } kind = Kind::ignored;
     Place place;

@@ -12,16 +12,16 @@
 
 namespace plumb {
 
-/// A light of the scene, chosen, and a direction towards it: pdf is that of the pair.
+/// A light of the scene, chosen, with a direction towards it; pdf is the density of the pair.
 struct SceneLightSample {
     LightSample sample;
     double pdf = 0;
     std::size_t light = 0;  ///< index into lights()
 };
 
-/// A ray of a light of the scene.
+/// A ray that a light of the scene sends.
 struct SceneLightRay {
-    EmittedRay ray;  ///< weight over the chance of the light
+    EmittedRay ray;  ///< its weight is divided by the light's chance
     std::size_t light;
     double chance;
 };
@@ -29,44 +29,47 @@ struct SceneLightRay {
 /// A description made ready for light transport. Immutable: threads share it.
 class Scene {
 public:
-    /// Reads textures and environment maps, builds Embree's tree. Throws Error naming file and line.
+    /// Prepares the description: reads textures and environment maps, builds Embree's tree. Throws Error naming file
+    /// and line.
     explicit Scene(description::Scene description);
 
     [[nodiscard]] const SceneSensor& sensor() const { return sensor_; }
 
-    /// Where a ray meets the scene first. u decides whether it passes masks on its way.
+    /// The surface that a ray meets first. u decides whether the ray passes masks on its way.
     [[nodiscard]] std::optional<Hit> intersect(const Ray& ray, double u, RayLog& log) const;
     [[nodiscard]] bool has_masks() const { return has_masks_; }
     /// The chance that a ray that reaches the surface stops there: below 1 for masks.
     [[nodiscard]] double opacity(const Hit& hit) const { return materials_.opacity(shape(hit).material, hit.uv); }
-    /// How much of the light of a sample of a light arrives: 0 or 1, in between behind masks.
+    /// The share of the light of a light's sample that arrives: 0 or 1, in between behind masks.
     [[nodiscard]] double transmittance(const SurfacePoint& from, const LightSample& sample, RayLog& log) const;
 
     /// The closure at a hit for light that leaves towards `wo` (in the world).
     [[nodiscard]] Bsdf bsdf(const Hit& hit, Vec3 wo) const;
 
-    /// Radiance that a hit surface emits towards `wo`, or that the environment sends along a ray that met nothing.
+    /// The radiance that a hit surface emits towards `wo`.
     [[nodiscard]] Spectrum emitted(const Hit& hit, Vec3 wo) const;
+    /// The radiance that the environment sends along a ray that met nothing.
     [[nodiscard]] Spectrum environment(const Ray& ray) const;
 
     /// Chooses a light by its power, then a direction towards it; empty where it does not shine, or there is no light.
     [[nodiscard]] std::optional<SceneLightSample> sample_light(Vec3 from, double u, const Point<2>& v) const;
     /// The density, per steradian, with which sample_light(from) would have found the light that a ray met.
     [[nodiscard]] double light_pdf(const Hit& hit, Vec3 from, Vec3 direction) const;
-    /// The same for this light, which has a surface, at a point where it shines to the side of `normal`.
+    /// The same density for this light, which has a surface, at a point where it shines to the side of `normal`.
     [[nodiscard]] double light_pdf(std::size_t light, Vec3 position, Vec3 normal, Vec3 from, Vec3 direction) const;
+    /// The same density for the environment; 0 without one.
     [[nodiscard]] double environment_pdf(Vec3 from, Vec3 direction) const;
 
     /// Chooses a light by its power and a ray that it sends; empty without lights.
     [[nodiscard]] std::optional<SceneLightRay> sample_light_ray(double u, const Point<2>& origin,
                                                                 const Point<2>& direction) const;
     /// The densities of such a ray of this light along `direction`, from where it shines to the side of `normal` (an
-    /// environment, a point: any); `area` includes the choice of the light.
+    /// environment and a point have none: any will do); `area` includes the choice of the light.
     [[nodiscard]] EmittedRayPdf light_ray_pdf(std::size_t light, Vec3 normal, Vec3 direction) const;
-    /// The light that a hit surface is, and the environment.
+    /// The light that a hit surface is; empty where the surface does not shine.
     [[nodiscard]] std::optional<std::size_t> light_of(const Hit& hit) const;
     [[nodiscard]] std::optional<std::size_t> environment_light() const { return environment_; }
-    /// Around all shapes: environments shine into it.
+    /// A ball around all shapes: environments shine into it.
     [[nodiscard]] const Ball& ball() const { return ball_; }
 
     [[nodiscard]] const description::Scene& description() const { return description_; }

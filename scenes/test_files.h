@@ -18,7 +18,7 @@ protected:
         std::ofstream(path_ / name, std::ios::binary) << text;
         return path_ / name;
     }
-    /// What the call throws, without the folder; "nothing" where it does not throw.
+    /// The message of the Error that the call throws, without the folder; "nothing" where it does not throw.
     template <class Call>
     std::string message(const Call& call) const {
         try {

@@ -28,7 +28,7 @@ struct Bsdf {
     [[nodiscard]] double discrete(Vec3 wo) const {
         return std::visit([&](const auto& m) { return m.discrete(turned(wo, wo)); }, model);
     }
-    /// Whether it has a smooth part: what only mirrors needs no light to be sampled.
+    /// Whether it has a smooth part: a surface of mirrors alone needs no sample of a light.
     [[nodiscard]] bool smooth() const {
         return std::visit([](const auto& m) { return m.smooth; }, model);
     }
@@ -38,13 +38,13 @@ struct Bsdf {
     }
 
 private:
-    /// w as the model sees it when wo shall be above.
+    /// The direction w as the model sees it when wo is turned above the surface.
     [[nodiscard]] Vec3 turned(Vec3 w, Vec3 wo) const { return two_sided && wo.z < 0 ? Vec3{w.x, w.y, -w.z} : w; }
 };
 
 static_assert(BsdfModel<Bsdf>);
 
-/// What a denoiser or a person takes for the surface's colour: the reflectance of what scatters, grey 1 for glass.
+/// The colour that a denoiser or a person takes for the surface's: the reflectance of what scatters, grey 1 for glass.
 inline Spectrum albedo(const Bsdf& bsdf) {
     return std::visit([](const auto& m) { return m.albedo(); }, bsdf.model);
 }
@@ -54,8 +54,8 @@ inline double smooth_roughness(const Bsdf& bsdf) {
     return std::visit([](const auto& m) { return m.roughness(); }, bsdf.model);
 }
 
-/// The index on wi's side over the index on wo's side, as a BsdfSample of the smooth part would state it; models that
-/// refract smoothly say it.
+/// The index on wi's side over the index on wo's side, as a BsdfSample of the smooth part would state it: 1 for models
+/// that do not refract smoothly.
 inline double eta_between(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
     return std::visit(
         [&](const auto& m) {

@@ -24,10 +24,11 @@ namespace plumb {
 enum class Transport { radiance, importance };
 enum class Measure { solid_angle, discrete };
 
-/// The mirror image of wo at the plane z = 0, and at the plane that the unit vector m is normal to.
+/// The mirror image of wo at the plane z = 0.
 constexpr Vec3 mirrored(Vec3 wo) {
     return {-wo.x, -wo.y, wo.z};
 }
+/// The mirror image of wo at the plane that the unit vector m is normal to.
 constexpr Vec3 mirrored(Vec3 wo, Vec3 m) {
     return 2 * dot(wo, m) * m - wo;
 }
@@ -35,6 +36,7 @@ constexpr bool same_side(Vec3 a, Vec3 b) {
     return a.z * b.z > 0;
 }
 
+/// A direction that a closure draws for given wo.
 struct BsdfSample {
     Vec3 wi;
     Spectrum weight;  ///< eval / pdf for a smooth lobe, reflectance or transmittance / probability for a discrete one
@@ -48,7 +50,7 @@ template <class B>
 concept BsdfModel = requires(const B& bsdf, Vec3 wo, Vec3 wi, const std::array<double, 3>& u, Transport transport) {
     { bsdf.eval(wo, wi, transport) } -> std::same_as<Spectrum>;
     { bsdf.pdf(wo, wi) } -> std::same_as<double>;
-    /// Empty: nothing scatters (the sample is lost, and its estimate is 0).
+    /// An empty result means that nothing scatters: the sample is lost, and its estimate is 0.
     { bsdf.sample(wo, u, transport) } -> std::same_as<std::optional<BsdfSample>>;
     /// The probability that sample(wo) takes a discrete lobe.
     { bsdf.discrete(wo) } -> std::same_as<double>;
@@ -58,12 +60,13 @@ concept BsdfModel = requires(const B& bsdf, Vec3 wo, Vec3 wi, const std::array<d
 template <class B>
 concept NamedBsdfModel = BsdfModel<B> && requires(const B& bsdf) {
     { B::name } -> std::convertible_to<std::string_view>;
-    /// Whether it has a smooth part: what only mirrors needs no light to be sampled.
+    /// Whether it has a smooth part: a surface of mirrors alone needs no sample of a light.
     { B::smooth } -> std::convertible_to<bool>;
-    /// What a denoiser or a person takes for the surface's colour: the reflectance of what scatters, grey 1 for glass.
+    /// The colour that a denoiser or a person takes for the surface's: the reflectance of what scatters, grey 1 for
+    /// glass.
     { bsdf.albedo() } -> std::same_as<Spectrum>;
-    /// The least roughness of the lobes of the smooth part, which a BsdfSample states of one: 1 of a diffuse one, 0
-    /// where there is no smooth part.
+    /// The least roughness of the lobes of the smooth part, as a BsdfSample states it of one lobe: 1 for a diffuse one,
+    /// 0 where there is no smooth part.
     { bsdf.roughness() } -> std::same_as<double>;
 };
 

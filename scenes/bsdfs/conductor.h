@@ -28,7 +28,7 @@ static_assert(NamedBsdfModel<Conductor>);
 
 namespace description {
 
-/// A metal. A perfect mirror of reflectance 1 where `eta` is empty.
+/// A metal; a perfect mirror of reflectance 1 where `eta` is empty.
 struct Conductor {
     std::optional<Spectrum> eta;  ///< real part of the index, relative to outside
     Spectrum k;                   ///< imaginary part

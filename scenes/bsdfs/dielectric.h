@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-/// A smooth interface between two media. Fresnel's reflectance is the probability of the mirrored direction.
+/// A smooth interface between two media. The mirrored direction is drawn with probability Fresnel's reflectance.
 struct Dielectric {
     static constexpr std::string_view name = "dielectric";
     static constexpr bool smooth = false;

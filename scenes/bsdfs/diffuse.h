@@ -5,7 +5,7 @@
 
 namespace plumb {
 
-/// Lambert's surface: reflects above, black below.
+/// Lambert's surface, which reflects above and is black below.
 struct Diffuse {
     static constexpr std::string_view name = "diffuse";
     static constexpr bool smooth = true;

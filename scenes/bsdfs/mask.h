@@ -6,7 +6,7 @@
 
 namespace plumb::description {
 
-/// Another material, which rays meet with the chance `opacity` and else pass.
+/// Another material that rays meet with probability `opacity`, and else pass.
 struct Mask {
     Colour opacity = Spectrum::grey(0.5);
     MaterialId nested;

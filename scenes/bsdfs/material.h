@@ -14,12 +14,12 @@ namespace description {
 struct Material;
 }
 
-/// Which kinds of scattering there are: with a density per steradian, and as mirrors and smooth interfaces do.
+/// The kinds of scattering that a material has: with a density per steradian, and as mirrors and smooth interfaces do.
 struct Scatters {
     bool smoothly = false, by_mirror = false;
 };
 
-/// A hit, as a material asks for it: where, from which side, and what else of the scene it may look up there.
+/// A hit as a material asks for it: the texture coordinates, the side, and what else of the scene it may look up there.
 struct Lookup {
     const Materials& materials;
     const std::vector<TextureLookup>& textures;
@@ -42,11 +42,11 @@ template <class M>
 concept MaterialModel = requires(description::Properties& properties, const M& material) {
     { M::plugins.front() } -> std::convertible_to<description::Plugin>;
     { M::load(properties) } -> std::same_as<M>;
-    /// The closures of numbers that it becomes at a hit, of its own: Types<…>.
+    /// The closures of numbers that it becomes at a hit, its own alone: Types<…>.
     typename M::Closures;
     /// Whether nothing passes it, so that it may be one side of a two-sided one.
     { M::only_reflects } -> std::convertible_to<bool>;
-    /// By itself: two-sided ones and masks leave it to the materials within.
+    /// What the material does by itself: two-sided ones and masks leave scattering to the materials within.
     { material.scatters() } -> std::same_as<Scatters>;
 };
 

@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// The materials of a scene, ready to be resolved into closures: textures are read, tables of rough coats made.
+/// The materials of a scene, ready to be resolved into closures: textures are read, tables of rough coats are made.
 class Materials {
 public:
     /// Throws Error naming file and line for a bitmap that cannot be read and for what no closure can do.

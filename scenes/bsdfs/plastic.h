@@ -12,7 +12,7 @@
 
 namespace plumb {
 
-/// A smooth coat and what it sends back of a diffuse base's light; one a material.
+/// A smooth coat with the share of a diffuse base's light that it sends back. One is made for each material.
 struct SmoothCoat {
     explicit SmoothCoat(double index) : eta(index), returned(mean_fresnel_dielectric(1 / index)) {}
     double eta;       ///< its index over that outside, > 1
@@ -25,7 +25,7 @@ struct Plastic {
     static constexpr std::string_view name = "plastic";
     static constexpr bool smooth = true;
 
-    /// nonlinear: the base colours each of its reflections, not only the first.
+    /// Where nonlinear, the base colours each of its reflections, not only the first.
     Plastic(const Spectrum& diffuse_reflectance, const SmoothCoat& coat, bool nonlinear);
 
     Spectrum diffuse_reflectance;
@@ -48,8 +48,8 @@ private:
 
 static_assert(NamedBsdfModel<Plastic>);
 
-/// ρ/(1 − ρ r), or ρ/(1 − r) when only the first reflection is coloured: the light that leaves a base of reflectance ρ
-/// under a coat that returns the share r of it.
+/// The light that leaves a base of reflectance ρ under a coat that returns the share r of it: ρ/(1 − ρ r), or ρ/(1 − r)
+/// when only the first reflection is coloured.
 Spectrum interreflected(const Spectrum& reflectance, double returned, bool nonlinear);
 
 class PreparedPlastic;
@@ -71,7 +71,7 @@ struct Plastic {
     [[nodiscard]] Scatters scatters() const { return {true, !roughness}; }
     /// Throws Error for a coat of no higher index than outside.
     void check(const std::vector<Material>& all) const;
-    /// Computes the coat's table.
+    /// The plastic with its coat's table, which is computed here.
     [[nodiscard]] PreparedPlastic prepared() const;
 };
 
@@ -79,7 +79,7 @@ static_assert(MaterialModel<Plastic>);
 
 }  // namespace description
 
-/// A plastic with what is computed once of its coat.
+/// A plastic with what is computed once for its coat.
 class PreparedPlastic {
 public:
     explicit PreparedPlastic(const description::Plastic& plastic);

@@ -6,16 +6,17 @@
 
 namespace plumb {
 
-/// What a rough dielectric coat does not reflect in one scattering, as a function of cosθ: a table, made once a
-/// material. Linear between nodes at cosθ = (k/nodes)², which lie closest where the function bends: at grazing.
+/// The share of light that a rough dielectric coat does not reflect in one scattering, as a function of cosθ: a table,
+/// one for each material. It is linear between nodes at cosθ = (k/nodes)², which lie closest where the function bends:
+/// at grazing angles.
 class RoughTransmittance {
 public:
-    /// eta > 1: index of the coat over that outside.
+    /// The table for a coat whose index over that outside is eta > 1.
     RoughTransmittance(const Microfacets& facets, double eta);
 
     [[nodiscard]] double at(double cosine) const;
-    /// The share of a diffuse base's light that the coat sends back to it: 1 − mean/eta², by the equilibrium of
-    /// uniform light on both sides of the coat; mean is that of at() over uniform light from outside.
+    /// The share of a diffuse base's light that the coat sends back to it: 1 − mean/eta², by the equilibrium of uniform
+    /// light on both sides of the coat, where mean is the mean of at() over uniform light from outside.
     [[nodiscard]] double returned() const { return returned_; }
     [[nodiscard]] const Microfacets& facets() const { return facets_; }
     [[nodiscard]] double eta() const { return eta_; }

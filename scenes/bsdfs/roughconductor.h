@@ -5,8 +5,8 @@
 
 namespace plumb {
 
-/// A rough metal [Cook & Torrance 1982; Walter et al. 2007]: facets that are smooth conductors, one scattering each.
-/// Samples visible normals; a sample whose direction falls below the surface is lost. Black below.
+/// A rough metal [Cook & Torrance 1982; Walter et al. 2007]: facets that are smooth conductors, one scattering each. It
+/// samples visible normals; a sample whose direction falls below the surface is lost. It is black below.
 struct RoughConductor {
     static constexpr std::string_view name = "roughconductor";
     static constexpr bool smooth = true;

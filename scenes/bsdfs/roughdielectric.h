@@ -6,8 +6,9 @@
 namespace plumb {
 
 /// A rough interface between two media [Walter et al. 2007]: facets that are smooth dielectrics, one scattering each.
-/// Samples a visible normal, then reflects or refracts at it by Fresnel's reflectance; a sample that ends on the wrong
-/// side is lost. eta must not be 1: without contrast nothing scatters, and the half vector of refraction has no length.
+/// It samples a visible normal, then reflects or refracts at it by Fresnel's reflectance; a sample that ends on the
+/// wrong side is lost. eta must not be 1: without contrast nothing scatters, and the half vector of refraction has no
+/// length.
 struct RoughDielectric {
     static constexpr std::string_view name = "roughdielectric";
     static constexpr bool smooth = true;

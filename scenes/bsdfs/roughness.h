@@ -7,7 +7,7 @@ namespace plumb::description {
 
 enum class Microfacets { beckmann, ggx };
 
-/// Of the rough materials: how their facets are distributed.
+/// The distribution of facets that all rough materials have.
 struct Roughness {
     Microfacets distribution = Microfacets::beckmann;
     double alpha = 0.1;  ///< root mean square slope (Beckmann) or its analogue (GGX), > 0

@@ -5,14 +5,14 @@
 
 namespace plumb {
 
-/// A diffuse base under a rough dielectric coat, with all the light that the coat throws back onto the base
-/// [Mitsuba's roughplastic]. The coat lets in what it does not reflect, so that a white base loses nothing but its
-/// table's error, less than 1e-3. Black below.
+/// A diffuse base under a rough dielectric coat, with all the light that the coat throws back onto the base [Mitsuba's
+/// roughplastic]. The coat lets in what it does not reflect, so that a white base loses nothing but its table's error,
+/// less than 1e-3. It is black below.
 struct RoughPlastic {
     static constexpr std::string_view name = "roughplastic";
     static constexpr bool smooth = true;
 
-    /// The coat's table outlives the closure: one a material.
+    /// The coat's table, one for each material, must outlive the closure.
     RoughPlastic(const Spectrum& diffuse_reflectance, const RoughTransmittance& coat, bool nonlinear);
 
     Spectrum diffuse_reflectance;

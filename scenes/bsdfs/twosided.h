@@ -4,7 +4,7 @@
 
 namespace plumb::description {
 
-/// Another material on each side, each of which does on its side what it does above.
+/// A material on each side, which does on its side what it does above when it stands alone.
 struct TwoSided {
     MaterialId front, back;
 

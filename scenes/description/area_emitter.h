@@ -6,7 +6,7 @@
 
 namespace plumb::description {
 
-/// What a shape that shines emits: this radiance from its outside.
+/// An emitter with a shape: the shape's outside shines with this radiance to every side.
 struct AreaEmitter {
     Spectrum radiance = Spectrum::grey(1);
     Place place;

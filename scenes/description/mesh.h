@@ -8,8 +8,9 @@
 
 namespace plumb {
 
-/// Triangles in single precision: the floats are the geometry, for Embree as for everything computed from them in
-/// double. A triangle's outside is where its vertices turn counterclockwise, unless its normals say otherwise.
+/// Triangles whose vertices are floats: these floats are the geometry, for Embree and for everything that is computed
+/// from them in double. A triangle's outside is the side from which its vertices turn counterclockwise, unless its
+/// normals say otherwise.
 struct Mesh {
     std::vector<std::array<float, 3>> positions;
     std::vector<std::array<float, 3>> normals;  ///< unit shading normals, one a vertex, or empty
@@ -20,6 +21,7 @@ struct Mesh {
         const auto& p = positions[vertex];
         return {p[0], p[1], p[2]};
     }
+    /// The triangle's three vertices, in its order.
     [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t triangle) const {
         const auto& [i, j, k] = triangles[triangle];
         return {position(i), position(j), position(k)};
@@ -29,19 +31,20 @@ struct Mesh {
     [[nodiscard]] bool turned_by_normals(std::uint32_t triangle) const;
 };
 
-/// The mesh in another space, rounded once. A mirroring transform turns the vertices' order, so that outside stays.
+/// The mesh in another space, each float rounded once. A mirroring transform turns the vertices' order, so that the
+/// outside stays outside.
 Mesh transformed(Mesh mesh, const Transform& transform);
 
-/// Shading normals as means of the adjacent triangles' normals weighted by their angles [Thürmer & Wüthrich 1998];
-/// a vertex without any proper triangle gets (0, 0, 1).
+/// Gives the mesh shading normals: means of the adjacent triangles' normals, weighted by their angles [Thürmer &
+/// Wüthrich 1998]. A vertex without any proper triangle gets (0, 0, 1).
 void add_smooth_normals(Mesh& mesh);
 
-/// The inside turned out: triangles and shading normals.
+/// Turns the inside out: the order of the triangles' vertices and the shading normals.
 void flip_normals(Mesh& mesh);
 
-/// [-1,1]² at z = 0, facing +z, uv (0,0) at (-1,-1).
+/// The square [-1,1]² at z = 0, facing +z, with uv (0,0) at (-1,-1).
 Mesh rectangle_mesh();
-/// [-1,1]³ facing outwards, uv [0,1]² on each face.
+/// The cube [-1,1]³, facing outwards, with uv [0,1]² on each face.
 Mesh cube_mesh();
 
 }  // namespace plumb

@@ -19,6 +19,7 @@ struct Plugin {
     std::string_view name, summary;
 };
 
+/// A list of types.
 template <class... Models>
 struct Types {};
 
@@ -63,7 +64,8 @@ bool serves(std::string_view name) {
     return std::ranges::any_of(Model::plugins, [&](const Plugin& plugin) { return plugin.name == name; });
 }
 
-/// The thing that the properties are of, by the model of the list that serves their type; empty where none does.
+/// The thing that the properties describe, loaded by the model of the list that serves their type; empty where none
+/// does.
 template <class Result, class... Models>
 std::optional<Result> load_model(Types<Models...>, Properties& properties, const auto&... more) {
     std::optional<Result> loaded;

@@ -6,11 +6,11 @@
 
 namespace plumb::description {
 
-/// Where in the scene's files a thing was written.
+/// The place in the scene's files where a thing was written.
 struct Place {
     std::string file = {};
     int line = 0;
-    /// `file:line: message`.
+    /// An Error that reads `file:line: message`.
     [[nodiscard]] Error error(const std::string& message) const {
         return Error(file + ":" + std::to_string(line) + ": " + message);
     }

@@ -4,8 +4,8 @@
 
 namespace plumb::description {
 
-/// The thing that a renderer asks in place of a model: what the model makes of itself once a scene (a picture that is
-/// read, a table that is computed), or the model as it stands.
+/// The thing that a renderer asks in place of a model: what the model makes of itself once a scene (a picture read, a
+/// table computed), or the model as it stands.
 template <class Model>
 auto prepared(const Model& model) {
     if constexpr (requires { model.prepared(); })

@@ -11,9 +11,9 @@
 
 namespace plumb::description {
 
-/// The named values of one thing in a scene's file, whatever the file's format: what a model is loaded from. A read
-/// marks its name as known to the model; what is left unknown in the end is the loader's to report. Every read throws
-/// Error naming file, line, what was found and what is accepted.
+/// The named values of one thing in a scene's file, whatever the file's format: a model is loaded from them. A read
+/// marks its name as known to the model; the loader reports the names that nobody read. Every read throws Error naming
+/// file, line, what was found and what is accepted.
 class Properties {
 public:
     virtual ~Properties() = default;
@@ -21,7 +21,7 @@ public:
     /// The model that the file asks for, in Mitsuba's words: "roughconductor".
     [[nodiscard]] virtual const std::string& type() const = 0;
     [[nodiscard]] virtual const Place& place() const = 0;
-    /// Where the value stands, or the thing that lacks it.
+    /// The place of the value, or of the thing where it lacks the value.
     [[nodiscard]] virtual const Place& place_of(const std::string& name) const = 0;
     [[nodiscard]] virtual bool has(const std::string& name) const = 0;
 
@@ -29,17 +29,17 @@ public:
     virtual int integer(const std::string& name, int otherwise) = 0;
     virtual bool boolean(const std::string& name, bool otherwise) = 0;
     virtual std::string string(const std::string& name, const std::string& otherwise) = 0;
-    /// A file, relative to the file that names it; it exists.
+    /// The path of an existing file, relative to the file that names it.
     virtual std::filesystem::path file(const std::string& name) = 0;
     virtual Vec3 vector(const std::string& name, Vec3 otherwise) = 0;
     virtual Transform transform(const std::string& name) = 0;
     /// An index of refraction, above 0: a number or a medium's name.
     virtual double index(const std::string& name, const std::string& otherwise) = 0;
 
-    /// Constants of lanes from 0. Emission differs from others for tabulated spectra alone.
+    /// Constants, one a lane, each at least 0. Emission differs from other spectra only where the file gives a table.
     virtual Spectrum spectrum(const std::string& name, const Spectrum& otherwise) = 0;
     virtual Spectrum emission(const std::string& name, const Spectrum& otherwise) = 0;
-    /// A reflectance that must not be textured, within [0, 1].
+    /// A reflectance within [0, 1] that must not be textured.
     virtual Spectrum constant_reflectance(const std::string& name, const Spectrum& otherwise) = 0;
     /// A reflectance, constant or textured, within [0, 1] where constant.
     virtual Colour reflectance(const std::string& name, const Spectrum& otherwise) = 0;

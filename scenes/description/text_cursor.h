@@ -9,7 +9,7 @@
 
 namespace plumb {
 
-/// Walks through a text of lines and words without copying, for formats of 10^7 numbers.
+/// A walk through a text of lines and words without copying, for formats of 10^7 numbers.
 class TextCursor {
 public:
     TextCursor(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
@@ -27,7 +27,7 @@ public:
         if (at_ < text_.size()) ++at_;
         ++line_;
     }
-    /// The next word of the line; empty at its end.
+    /// The next word of the line; empty at the line's end.
     std::string_view word() {
         if (line_done()) return {};
         const std::size_t first = at_;

@@ -6,30 +6,31 @@
 
 namespace plumb {
 
-/// An invertible affine map with its inverse, in double. Applied to columns: (a * b) is b first, then a.
+/// An invertible affine map with its inverse, in double. It applies to columns: (a * b) is b first, then a.
 class Transform {
 public:
     using Matrix = std::array<std::array<double, 4>, 4>;
 
     Transform() = default;
-    /// Rows from the top. Throws Error for a matrix with a non-finite entry, with a last row other than 0 0 0 1, or
-    /// singular (a determinant within rounding of zero).
+    /// The map of a matrix, rows from the top. Throws Error for a matrix with a non-finite entry, with a last row other
+    /// than 0 0 0 1, or singular (a determinant within rounding of zero).
     explicit Transform(const Matrix& matrix);
 
     static Transform translate(Vec3 by);
     static Transform scale(Vec3 by);
-    /// Counterclockwise about the axis, in degrees, seen against it; throws Error for a zero axis.
+    /// A rotation about the axis, in degrees, counterclockwise as seen against it; throws Error for a zero axis.
     static Transform rotate(Vec3 axis, double degrees);
-    /// Takes +z to the direction towards the target and +y near up; throws Error where they are parallel or coincide.
+    /// The map that takes +z to the direction towards the target and +y near up; throws Error where they are parallel
+    /// or coincide.
     static Transform look_at(Vec3 origin, Vec3 target, Vec3 up);
 
     [[nodiscard]] Vec3 point(Vec3 p) const { return apply(matrix_, p, 1); }
     [[nodiscard]] Vec3 vector(Vec3 v) const { return apply(matrix_, v, 0); }
-    /// By the transposed inverse, not normalized.
+    /// The normal mapped by the transposed inverse, not of unit length.
     [[nodiscard]] Vec3 normal(Vec3 n) const;
 
     [[nodiscard]] Transform inverse() const { return Transform(inverse_, matrix_); }
-    /// Of the linear part: negative where handedness turns.
+    /// The determinant of the linear part: negative where handedness turns.
     [[nodiscard]] double determinant() const;
     [[nodiscard]] const Matrix& matrix() const { return matrix_; }
 

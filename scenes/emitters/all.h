@@ -26,8 +26,8 @@ Types<decltype(std::declval<const Models&>().light())...> lights_of(Types<Models
 
 }  // namespace description
 
-/// All lights that a shape can be, each with `of(geometry, radiance)` for geometry that it takes (empty: it does not
-/// after all). The first that takes a shape is its light.
+/// All lights that a shape can be. Each has `of(geometry, radiance)` for geometry that it takes, which may be empty
+/// where it does not take it after all. The first that takes a shape is its light.
 using AreaLights = description::Types<RectangleLight, MeshLight, SphereLight, DiskLight>;
 
 /// All lights, under the conventions of scenes/emitters/light.h.

@@ -31,7 +31,8 @@ public:
     [[nodiscard]] EmittedRayPdf ray_pdf(const Ball&, Vec3 normal, Vec3 direction) const {
         return ray_pdf_from(pdf_area(), normal, direction);
     }
-    /// The density of sampled points. A ray caster that knows where it met the light needs no more (per_steradian).
+    /// The density of sampled points, per area. A ray caster that knows where it met the light needs no more
+    /// (per_steradian).
     [[nodiscard]] double pdf_area() const { return 1 / surface_.area(); }
     [[nodiscard]] Spectrum power(double) const { return lambertian_power(radiance_, surface_.area()); }
 

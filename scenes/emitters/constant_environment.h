@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-/// The same radiance from every direction.
+/// An environment with the same radiance from every direction.
 struct ConstantEnvironment {
     static constexpr LightKind kind = LightKind::environment;
 
@@ -27,7 +27,7 @@ struct ConstantEnvironment {
     [[nodiscard]] EmittedRayPdf ray_pdf(const Ball& scene, Vec3, Vec3 direction) const {
         return ray_pdf_from_afar(scene, uniform_sphere_pdf(-direction));
     }
-    /// 4π steradians through a disk of area π r².
+    /// The flux into the scene: from 4π steradians, through a disk of area π r².
     [[nodiscard]] Spectrum power(double scene_radius) const {
         return radiance * (4 * pi * pi * scene_radius * scene_radius);
     }

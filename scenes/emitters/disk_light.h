@@ -38,7 +38,7 @@ class DiskLight : public AreaLight<DiskSurface> {
 public:
     DiskLight(Vec3 centre, Vec3 normal, double radius, const Spectrum& radiance)
         : AreaLight({centre, normal, radius}, radiance) {}
-    /// Throws Error where the disk is an ellipse.
+    /// The light that a disk is. Throws Error where the disk is an ellipse.
     static DiskLight of(const description::Disk& disk, const Spectrum& radiance);
 };
 static_assert(LightModel<DiskLight>);

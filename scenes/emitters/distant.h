@@ -5,9 +5,9 @@
 
 namespace plumb {
 
-// What all environments share.
+// All environments share what follows.
 
-/// The ray of a sample of an environment: from the disk that touches the scene's ball there and faces it.
+/// The ray of an environment's sample: it starts on the disk that touches the scene's ball there and faces it.
 inline EmittedRay send_from_afar(const Ball& scene, const LightSample& sample, const Point<2>& u) {
     const Point<2> p = sample_concentric_disk(u);
     const Vec3 local{scene.radius * p[0], scene.radius * p[1], scene.radius};
@@ -18,7 +18,7 @@ inline EmittedRay send_from_afar(const Ball& scene, const LightSample& sample, c
             {pdf_area, sample.pdf}};
 }
 
-/// Of a ray that comes from where an environment's samples have this density.
+/// The density of a ray that comes from where an environment's samples have the density `pdf`, per steradian.
 inline EmittedRayPdf ray_pdf_from_afar(const Ball& scene, double pdf) {
     return {1 / (pi * scene.radius * scene.radius), pdf};
 }

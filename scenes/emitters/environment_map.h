@@ -10,9 +10,9 @@
 
 namespace plumb {
 
-/// Radiance from every direction by a latitude-longitude picture. In its own frame y is up; row 0 is at the top and a
-/// column's longitude is atan2(x, −z), so that the picture's left edge is −z and x lies a quarter to the right, as
-/// Mitsuba has it. Pixel (i, j) has its centre at ((i + ½)/width, (j + ½)/height); between centres the lookup is
+/// Radiance from every direction, looked up in a latitude-longitude picture. In its own frame y is up; row 0 is at the
+/// top and a column's longitude is atan2(x, −z), so that the picture's left edge is −z and x lies a quarter to the
+/// right, as in Mitsuba. Pixel (i, j) has its centre at ((i + ½)/width, (j + ½)/height); between centres the lookup is
 /// bilinear in longitude and latitude, periodic across the left edge, constant beyond the outermost rows.
 ///
 /// The density is constant per steradian on each pixel's cell, and proportional to what the cell holds: the mean
@@ -24,8 +24,8 @@ class EnvironmentMap {
 public:
     static constexpr LightKind kind = LightKind::environment;
 
-    /// pixels row by row; `frame` is the map's axes in the world. Throws Error for a map of no size, not finite,
-    /// negative, or all black.
+    /// A map with these pixels, row by row; `frame` has the map's axes in the world. Throws Error for a map without
+    /// pixels, with one that is not finite or negative, or all black.
     EnvironmentMap(std::size_t width, std::size_t height, std::vector<Spectrum> pixels, const Frame& frame = {});
 
     [[nodiscard]] std::optional<LightSample> sample(Vec3 from, const Point<2>& u) const;
@@ -38,9 +38,9 @@ public:
     }
     [[nodiscard]] Spectrum power(double scene_radius) const;
 
-    /// The bilinear lookup at (u, v) in [0,1]², v down.
+    /// The bilinear lookup at (u, v) in [0,1]²; v grows downwards.
     [[nodiscard]] Spectrum lookup(const Point<2>& uv) const;
-    /// Where a world direction falls in the picture.
+    /// The point (u, v) of the picture for a direction in the world.
     [[nodiscard]] Point<2> place_of(Vec3 direction) const;
 
 private:
@@ -63,7 +63,7 @@ static_assert(LightModel<EnvironmentMap>);
 
 namespace description {
 
-/// Latitude and longitude, v = 0 at +y of its own space.
+/// An environment from a picture in latitude and longitude; v = 0 is the direction +y of its own space.
 struct EnvironmentMap {
     std::filesystem::path file;
     double scale = 1;
@@ -72,7 +72,7 @@ struct EnvironmentMap {
     static constexpr std::array plugins{
         Plugin{"envmap", "radiance by direction, from a picture in latitude and longitude"}};
     static EnvironmentMap load(Properties& properties);
-    /// Reads the picture. Throws Error where that fails, or to_world is no rotation.
+    /// The light that it becomes: reads the picture. Throws Error where that fails, or to_world is no rotation.
     [[nodiscard]] plumb::EnvironmentMap light() const;
 };
 

@@ -37,7 +37,7 @@ struct LightSample {
     std::optional<SurfacePoint> surface = {};  ///< where a shadow ray ends; empty for environments and points
 };
 
-/// What a ray from `from` meets of the light.
+/// The point of the light that a ray from `from` meets.
 struct LightHit {
     double distance = std::numeric_limits<double>::infinity();
     Spectrum radiance;
@@ -50,7 +50,7 @@ struct EmittedRayPdf {
     double direction;  ///< per steradian
 };
 
-/// Light on its way out.
+/// A ray that a light sends.
 struct EmittedRay {
     Vec3 origin, direction;  ///< unit, away from the light
     Spectrum weight;         ///< flux
@@ -62,20 +62,23 @@ template <class L>
 concept LightModel = requires(const L& light, Vec3 from, Vec3 normal, Vec3 direction, const Point<2>& u,
                               const Point<2>& v, const Ball& scene) {
     { L::kind } -> std::convertible_to<LightKind>;
-    /// Empty: this u shows no light (it fell on a side that does not shine); the sample's estimate is 0.
+    /// An empty result means that this u shows no light (it fell on a side that does not shine): the sample's estimate
+    /// is 0.
     { light.sample(from, u) } -> std::same_as<std::optional<LightSample>>;
-    /// Empty: the ray meets no shining side. Discrete lights are never met.
+    /// An empty result means that the ray meets no shining side. Discrete lights are never met.
     { light.hit(from, direction) } -> std::same_as<std::optional<LightHit>>;
-    /// Flux into the scene: watts, of an environment through the disk of the scene's radius, from every direction.
+    /// The flux into the scene, in watts; an environment's goes through the disk of the scene's radius, from every
+    /// direction.
     { light.power(scene.radius) } -> std::same_as<Spectrum>;
-    /// u chooses the origin, v the direction.
+    /// The ray that the light sends for u, which chooses the origin, and v, which chooses the direction.
     { light.sample_ray(scene, u, v) } -> std::same_as<EmittedRay>;
     /// The density with which the light sends rays along the unit `direction` from where its normal, on the shining
     /// side, is `normal`; points and environments have no normal.
     { light.ray_pdf(scene, normal, direction) } -> std::same_as<EmittedRayPdf>;
 };
 
-/// A density per area of a surface, seen from a distance with |cos| at the surface, per steradian: dω = cos dA / d².
+/// The density per steradian of a point chosen with a density per area of its surface, seen from a distance with |cos|
+/// at the surface: dω = cos dA / d².
 constexpr double per_steradian(double pdf_area, double distance, double cos_at_light) {
     return pdf_area * distance * distance / cos_at_light;
 }

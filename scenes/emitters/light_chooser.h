@@ -7,19 +7,20 @@
 
 namespace plumb {
 
-/// Which of n lights: an index and its probability, a light's solid-angle pdf times which is the density of the pair.
+/// A light, by its index among n, and its probability. Times the light's density per steradian it is the pair's
+/// density.
 struct ChosenLight {
     std::size_t index;
     double pmf;
 };
 
-/// Chooses a light with fixed probabilities, whatever the shading point.
+/// A choice of lights with fixed probabilities, whatever the shading point.
 class LightChooser {
 public:
-    /// All alike; count > 0.
+    /// The choice with equal probabilities; count > 0.
     static LightChooser uniform(std::size_t count) { return LightChooser(std::vector<double>(count, 1.0)); }
-    /// In proportion to the luminance of their power; all alike when every light is black. Throws Error for power that
-    /// is negative or not finite.
+    /// The choice with probabilities in proportion to the luminance of the lights' power; equal ones when every light
+    /// is black. Throws Error for power that is negative or not finite.
     static LightChooser by_power(const std::vector<Spectrum>& powers) {
         std::vector<double> weights;
         for (const Spectrum& power : powers) weights.push_back(luminance(power));

@@ -24,9 +24,9 @@ inline bool is_environment(const Light& light) {
 }
 
 /// The density of sample(from) for a direction, per steradian, towards a point of the light where it shines to the side
-/// of `normal`; for an environment, whatever the point; of a point light the probability 1. That the direction meets
-/// the light is not asked again: a ray started a rounding error beside `from`, and a direction at the light's rim that
-/// misses it from there would have density 0, hence the whole weight: a firefly.
+/// of `normal`; for an environment, whatever the point; for a point light the probability 1. Whether the direction
+/// meets the light is not asked again: a ray started a rounding error beside `from`, and a direction at the light's rim
+/// that misses it from there would have density 0, hence the whole weight: a firefly.
 double pdf_of_sample(const Light& light, Vec3 from, Vec3 direction, Vec3 position, Vec3 normal);
 
 }  // namespace plumb

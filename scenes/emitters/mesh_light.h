@@ -8,13 +8,13 @@
 
 namespace plumb {
 
-/// Corners in the order that is counter-clockwise as seen from the shining side.
+/// A triangle with its corners in counterclockwise order as seen from the shining side.
 struct Triangle {
     Vec3 a, b, c;
 };
 std::vector<Triangle> triangles_of(const Mesh& mesh);
 
-/// Triangles, seen from one side.
+/// A surface of triangles, seen from one side.
 class MeshSurface {
 public:
     /// Throws Error unless the area is positive and finite.
@@ -22,7 +22,8 @@ public:
 
     [[nodiscard]] double area() const { return area_; }
     [[nodiscard]] SurfacePoint at(const Point<2>& u) const;
-    /// Looks at every triangle: for claims and small lights; a scene's ray caster knows the triangle that it met.
+    /// The first triangle that the ray meets, found by looking at every one: for claims and small lights, as a scene's
+    /// ray caster knows the triangle that it met.
     [[nodiscard]] std::optional<PlaneHit> meet(Vec3 from, Vec3 direction) const;
 
 private:
@@ -31,7 +32,7 @@ private:
     double area_ = 0;
 };
 
-/// Triangles that shine to one side.
+/// A light of triangles that shine to one side.
 class MeshLight : public AreaLight<MeshSurface> {
 public:
     MeshLight(std::vector<Triangle> triangles, const Spectrum& radiance)

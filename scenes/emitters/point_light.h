@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// Shines from one point with the same intensity (per steradian) to every side: what arrives falls as 1/d².
+/// A point that shines with the same intensity (per steradian) to every side: what arrives falls as 1/d².
 struct PointLight {
     static constexpr LightKind kind = LightKind::point;
 

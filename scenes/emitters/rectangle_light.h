@@ -47,7 +47,7 @@ class RectangleLight : public AreaLight<RectangleSurface> {
 public:
     RectangleLight(Vec3 corner, Vec3 edge_1, Vec3 edge_2, const Spectrum& radiance)
         : AreaLight({corner, edge_1, edge_2}, radiance) {}
-    /// Of a mesh of two triangles that are halves of one parallelogram; empty for any other.
+    /// The light that a mesh of two triangles is where they are halves of one parallelogram; empty for any other mesh.
     static std::optional<RectangleLight> of(const Mesh& mesh, const Spectrum& radiance);
 };
 static_assert(LightModel<RectangleLight>);

@@ -7,8 +7,8 @@
 
 namespace plumb {
 
-/// A sphere that shines outwards, or inwards (flipped normals). From outside the directions to its visible cap are
-/// sampled uniformly [Shirley, Wang & Zimmerman 1996]; from inside all directions are.
+/// A sphere that shines outwards, or inwards (flipped normals). From outside, the directions to its visible cap are
+/// sampled uniformly [Shirley, Wang & Zimmerman 1996]; from inside, all directions are.
 class SphereLight {
 public:
     static constexpr LightKind kind = LightKind::surface;
@@ -46,7 +46,7 @@ public:
         if (d > radius_ && !(cos > 0 && d * d * sin_squared <= radius_ * radius_)) return {};
         return LightHit{distance(d, cos, sin_squared), radiance_, cone_pdf(d)};
     }
-    /// Per steradian at `from`, alike for all directions that meet the light.
+    /// The density of directions per steradian at `from`, the same for all that meet the light.
     [[nodiscard]] double pdf(Vec3 from) const {
         const double d = to_distance(centre_ - from);
         return shines_at(d) ? cone_pdf(d) : 0;
@@ -61,27 +61,28 @@ public:
 
 private:
     [[nodiscard]] double area() const { return 4 * pi * radius_ * radius_; }
-    /// The point in this direction, its normal on the shining side.
+    /// The point of the sphere in this direction from its centre, its normal on the shining side.
     [[nodiscard]] SurfacePoint shining(Vec3 from_centre) const {
         SurfacePoint point = sphere_point(centre_, radius_, from_centre);
         if (side_ == Side::inwards) point.normal = -point.normal;
         return point;
     }
-    /// Of a point on a sphere that shines inwards, rounding must not decide whether it is inside: whoever asks for a
-    /// density later may have come to the point another way.
+    /// The distance to the centre. Rounding must not decide whether a point on a sphere that shines inwards is inside:
+    /// whoever asks for a density later may have come to the point another way.
     [[nodiscard]] double to_distance(Vec3 to_centre) const {
         const double d = length(to_centre);
         return side_ == Side::inwards && d < radius_ * (1 + 1e-9) ? std::min(d, std::nextafter(radius_, 0)) : d;
     }
     [[nodiscard]] bool shines_at(double d) const { return side_ == Side::outwards ? d > radius_ : d < radius_; }
-    /// Of the half angle under which the sphere is seen from d: sin² = (R/d)², and 1 − cos = sin²/(1 + cos).
+    /// The value 1 − cos for the half angle under which the sphere is seen from d: sin² = (R/d)², 1 − cos = sin²/(1 +
+    /// cos).
     [[nodiscard]] double one_minus_cos(double d) const {
         if (d <= radius_) return 2;
         const double cos = std::sqrt((d - radius_) * (d + radius_)) / d;
         return radius_ / d * (radius_ / d) / (1 + cos);
     }
     [[nodiscard]] double cone_pdf(double d) const { return 1 / (2 * pi * one_minus_cos(d)); }
-    /// To the near side from outside, to the only side from inside.
+    /// The distance to the near side from outside, to the only side from inside.
     [[nodiscard]] double distance(double d, double cos, double sin_squared) const {
         const double half_chord = std::sqrt(std::max(0.0, radius_ * radius_ - d * d * sin_squared));
         return d > radius_ ? d * cos - half_chord : d * cos + half_chord;

@@ -5,7 +5,7 @@
 
 namespace plumb {
 
-// What all lights that are sampled by area share.
+// All lights that are sampled by area share what follows.
 
 /// The sample at a point of a light that shines to the side of its normal, chosen with density pdf_area.
 inline std::optional<LightSample> sample_towards(Vec3 from, const SurfacePoint& point, const Spectrum& radiance,
@@ -43,7 +43,7 @@ inline EmittedRayPdf ray_pdf_from(double pdf_area, Vec3 normal, Vec3 direction) 
     return {pdf_area, cosine_hemisphere_pdf({0, 0, dot(normal, direction)})};
 }
 
-/// Flux of a one-sided surface of constant radiance: π L A.
+/// The flux of a one-sided surface of constant radiance: π L A.
 inline Spectrum lambertian_power(const Spectrum& radiance, double area) {
     return radiance * (std::numbers::pi * area);
 }

@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// Constant on [−½, ½] (Mitsuba's `box`).
+/// The filter that is constant on [−½, ½] (Mitsuba's `box`).
 struct BoxFilter {
     static constexpr std::array plugins{description::Plugin{"box", "constant over its support"}};
     static BoxFilter load(description::Properties& properties);

@@ -6,7 +6,7 @@
 namespace plumb {
 
 /// A sum that does not depend on the order of its terms: fixed point in 128 bits, each term rounded once to a multiple
-/// of 2^-fraction_bits. Terms of magnitude below 2^term_bits; 2^(126 − fraction_bits − term_bits) of them cannot
+/// of 2^-fraction_bits. Terms have magnitudes below 2^term_bits; 2^(126 − fraction_bits − term_bits) of them cannot
 /// overflow.
 template <int fraction_bits, int term_bits>
 class FixedPointSum {
@@ -16,7 +16,7 @@ public:
     static constexpr double resolution = 1 / static_cast<double>(__extension__(__int128){1} << fraction_bits);
     /// Whether x can be a term; NaN cannot.
     static bool accepts(double x) { return std::abs(x) < std::ldexp(1.0, term_bits); }
-    /// x must be accepted.
+    /// Adds a term that is accepted.
     void add(double x) { sum_ += static_cast<Integer>(std::nearbyint(x * scale)); }
     void merge(const FixedPointSum& other) { sum_ += other.sum_; }
     __extension__ using Integer = __int128;
@@ -31,9 +31,9 @@ private:
     Integer sum_ = 0;
 };
 
-/// Of radiances and the like: resolution 5e-20, terms below 2^31, 2^31 of them.
+/// A sum of radiances and the like: resolution 5e-20, terms below 2^31, 2^31 of them.
 using ExactSum = FixedPointSum<64, 31>;
-/// Of their squares: resolution 6e-14, terms below 2^62, 2^20 of them.
+/// A sum of their squares: resolution 6e-14, terms below 2^62, 2^20 of them.
 using ExactSumOfSquares = FixedPointSum<44, 62>;
 
 }  // namespace plumb

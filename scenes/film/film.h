@@ -13,15 +13,15 @@
 
 namespace plumb {
 
-/// What a film records under one name: three channels, or one.
+/// A part of a picture that a film records under one name: three channels, or one.
 struct FilmLayer {
     std::string name;
     std::vector<std::string> channels;  ///< e.g. R, G, B; X, Y, Z; Z
     bool non_negative = true;           ///< then negative values are counted
 };
 
-/// Values that should not be, or seldom. NaN and infinite ones add nothing to a pixel; negative ones do add, and so do
-/// large ones, of 2^31 and more, as exactly as others: a film that drops them is biased.
+/// Counts of values that should not be, or seldom. NaN and infinite ones add nothing to a pixel; negative ones do add,
+/// and so do large ones, of 2^31 and more, as exactly as others: a film that drops them is biased.
 struct BadValues {
     std::uint64_t nan = 0, infinite = 0, negative = 0, large = 0;
     void merge(const BadValues& other);
@@ -33,16 +33,16 @@ class FilmPass {
 public:
     FilmPass(FilmSize size, std::vector<FilmLayer> layers);
 
-    /// One sample of a pixel: the layers' values in their order, as many lanes of each as it has channels.
+    /// Adds one sample of a pixel: the layers' values in their order, as many lanes of each as it has channels.
     void add(int x, int y, std::span<const Spectrum> values);
-    /// So many samples of a pixel that bring nothing to any layer.
+    /// Adds `count` samples of a pixel that bring nothing to any layer.
     void add_black(int x, int y, std::uint64_t count) { samples_[pixel(x, y)] += count; }
-    /// Light that the path of another pixel's sample brings to this one: adds to the sum of the first layer, already
-    /// divided by the paths that bring some a sample.
+    /// Adds light that the path of another pixel's sample brings to this one to the sum of the first layer. The value
+    /// is divided already by the number of paths that bring some for each sample of the pixel.
     void splat(int x, int y, const Spectrum& value);
-    /// Samples that other threads or shards took for the same replicate.
+    /// Adds samples that other threads or shards took for the same replicate.
     void merge(const FilmPass& other);
-    /// A part of the image, its upper left corner at pixel (x, y).
+    /// Adds a part of the image, its upper left corner at pixel (x, y).
     void merge_at(int x, int y, const FilmPass& part);
 
     [[nodiscard]] std::uint64_t samples(int x, int y) const { return samples_[pixel(x, y)]; }
@@ -66,26 +66,27 @@ private:
 };
 
 /// An image from independent replicates: the mean of their means, and its variance from their spread, which is right
-/// for stratified, quasi-random, splatted and Markov samples alike (squares of single samples are not). Replicates may
-/// come in any order, from any shard: the same bits.
+/// for stratified, quasi-random, splatted and Markov samples alike (the variance from squares of single samples is
+/// not). Replicates in any order, from any shard, give the same bits.
 class Film {
 public:
     Film(FilmSize size, std::vector<FilmLayer> layers);
 
-    /// A finished replicate. A pixel without samples in it counts as black there.
+    /// Adds a finished replicate. A pixel without samples in it counts as black there.
     void add(const FilmPass& pass);
     void merge(const Film& other);
 
     [[nodiscard]] std::uint64_t replicates() const { return replicates_; }
     [[nodiscard]] std::uint64_t samples(int x, int y) const;
     [[nodiscard]] double mean(int x, int y, std::size_t channel) const;
-    /// Of the mean; infinite for fewer than two replicates.
+    /// The variance of the mean; infinite for fewer than two replicates.
     [[nodiscard]] double variance_of_mean(int x, int y, std::size_t channel) const;
     [[nodiscard]] const BadValues& bad_values() const { return bad_; }
     [[nodiscard]] FilmSize size() const { return size_; }
     [[nodiscard]] const std::vector<FilmLayer>& layers() const { return layers_; }
 
-    /// Channels R, G, B of the first layer, `variance.R` … of its mean, `samples`, then `layer.channel` of the others.
+    /// The picture: channels R, G, B of the first layer, `variance.R` … of its mean, `samples`, then `layer.channel` of
+    /// the others.
     [[nodiscard]] Image image() const;
 
 private:

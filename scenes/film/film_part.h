@@ -15,13 +15,13 @@ struct FilmPart {
     Film film;
 };
 
-/// Sums to the bit, in this machine's byte order, with a checksum behind them.
+/// Writes the sums to the bit, in this machine's byte order, with a checksum behind them.
 void write_film_part(const std::filesystem::path& file, const FilmPart& part);
-/// Throws Error naming the file when it cannot be read, is something else, ends early or is damaged.
+/// Reads a part. Throws Error naming the file when it cannot be read, is something else, ends early or is damaged.
 FilmPart read_film_part(const std::filesystem::path& file);
 
-/// The picture of all parts, the same bits as of one run. Throws Error naming the file, or the part, when parts are of
-/// different pictures, there twice or missing.
+/// Merges all parts into the whole picture, to the bits of one run. Throws Error naming the file, or the part, when
+/// parts are of different pictures, there twice or missing.
 FilmPart read_film_parts(const std::vector<std::filesystem::path>& files);
 
 }  // namespace plumb

@@ -17,7 +17,7 @@ namespace plumb {
 //   sample(u), pdf(x), invert(x), radius().
 // And what scenes/description/models.h asks for.
 
-/// The radius that a filter in a scene's file has; throws Error unless it is above 0.
+/// The radius of a filter in a scene's file; throws Error unless it is above 0.
 inline double checked_radius(const description::Properties& properties, double radius) {
     if (!(radius > 0))
         throw properties.place().error(fmt::format("a filter of radius {}; above 0 is accepted", radius));

@@ -13,12 +13,12 @@ namespace plumb {
 using FilterModels = description::Types<BoxFilter, TentFilter, GaussianFilter>;
 using Filter = description::OneOf<FilterModels>;
 
-/// By how many pixels film points reach beyond the outermost pixels.
+/// The number of pixels by which film points reach beyond the outermost pixels.
 inline double margin(const Filter& filter) {
     return std::visit([](const auto& f) { return std::max(0.0, f.radius() - 0.5); }, filter);
 }
 
-/// A film point for the pixel with its corner at `pixel`.
+/// A film point, drawn by the filter, for the pixel with its corner at `pixel`.
 inline Point<2> sample_film(const Filter& filter, const Point<2>& pixel, const Point<2>& u) {
     return std::visit(
         [&](const auto& f) {

@@ -4,8 +4,8 @@
 
 namespace plumb {
 
-/// The normal density of this standard deviation, cut at four of them. (Mitsuba subtracts e^-8 so that it ends at 0,
-/// which moves less than 4e-4 of the mass.)
+/// The normal density of this standard deviation, in pixels, cut at four of them. (Mitsuba subtracts e^-8 so that it
+/// ends at 0, which moves less than 4e-4 of the mass.)
 class GaussianFilter {
 public:
     static constexpr std::array plugins{

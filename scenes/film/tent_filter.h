@@ -6,14 +6,14 @@
 
 namespace plumb {
 
-/// (1 − |x|/r)/r on [−r, r].
+/// The density (1 − |x|/r)/r on [−r, r].
 class TentFilter {
 public:
     static constexpr std::array plugins{description::Plugin{"tent", "falls linearly to the ends of its support"}};
     static TentFilter load(description::Properties& properties);
 
     explicit TentFilter(double radius = 1);
-    /// The root of the CDF from the nearer end: no cancellation.
+    /// The point at which the CDF is u, as a root from the nearer end, so that nothing cancels.
     [[nodiscard]] double sample(double u) const {
         return u < 0.5 ? radius_ * (std::sqrt(2 * u) - 1) : radius_ * (1 - std::sqrt(2 * (1 - u)));
     }

@@ -32,7 +32,7 @@ private:
     double not_finite_ = 0;
 };
 
-/// What does not fit into the many exact sums of a film, by their numbers: slow and large, and for few.
+/// The terms that do not fit into the many exact sums of a film, by the sums' numbers: slow and large, meant for few.
 class WideSums {
 public:
     void add(std::size_t number, double x) { sums_[number].add(x); }
@@ -40,7 +40,7 @@ public:
     void merge(const WideSums& other) {
         for (const auto& [number, sum] : other.sums_) merge(number, sum);
     }
-    /// Of the exact sum of this number, and what did not fit into it.
+    /// The total of the exact sum of this number and of what did not fit into it.
     template <class Exact>
     [[nodiscard]] double total(std::size_t number, const Exact& exact) const {
         if (sums_.empty()) return exact.value();

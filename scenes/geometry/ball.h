@@ -10,13 +10,13 @@ namespace description {
 struct Shape;
 }
 
-/// All points within a distance.
+/// All points within a distance of a centre.
 struct Ball {
     Vec3 centre;
     double radius = 1;
 };
 
-/// Around all shapes; around none, the unit ball.
+/// A ball around all shapes; the unit ball where there are none.
 Ball ball_around(const std::vector<description::Shape>& shapes);
 
 }  // namespace plumb

@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-/// All points between two corners; none at first.
+/// All points between two corners; a new box has none.
 struct Box {
     Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
 

@@ -8,7 +8,7 @@
 
 namespace plumb::description {
 
-/// center + axis_x·x + axis_y·y, x² + y² ≤ 1, in world space.
+/// The points center + axis_x·x + axis_y·y with x² + y² ≤ 1, in world space.
 struct Disk {
     Vec3 center, axis_x{1, 0, 0}, axis_y{0, 1, 0};
     Vec3 normal{0, 0, 1};  ///< unit
@@ -17,9 +17,9 @@ struct Disk {
     static Disk load(Properties& properties);
 
     [[nodiscard]] std::optional<double> intersect(const Ray& ray) const;
-    /// uv is radius and azimuth, scaled to [0, 1], as Mitsuba's.
+    /// The surface where the ray meets the disk; uv is radius and azimuth, scaled to [0, 1], as in Mitsuba.
     [[nodiscard]] Hit hit(const Ray& ray, double t) const;
-    /// Of the parallelogram around it.
+    /// The box around the parallelogram that holds the disk.
     [[nodiscard]] Box bounds() const;
 };
 static_assert(AnalyticShape<Disk>);

@@ -7,7 +7,7 @@
 
 namespace plumb::description {
 
-// Shapes that are loaded as meshes, in world space.
+// These shapes are loaded as meshes, in world space.
 
 struct ObjMesh {
     static constexpr std::array plugins{Plugin{"obj", "a mesh from a Wavefront file"}};

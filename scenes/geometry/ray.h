@@ -20,7 +20,7 @@ struct TracedRay {
     bool shadow;
 };
 
-/// Counts the rays that a caller has traced; keeps them where somebody wants to see them.
+/// A count of the rays that a caller has traced, and the rays themselves where somebody wants to see them.
 struct RayLog {
     std::uint64_t count = 0;
     std::vector<TracedRay>* kept = nullptr;

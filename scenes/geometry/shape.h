@@ -21,7 +21,7 @@ struct Shape {
     Place place;
 };
 
-/// Around all of it.
+/// A box around all of the geometry.
 Box bounds(const Geometry& geometry);
 
 }  // namespace plumb::description

@@ -11,7 +11,7 @@
 
 namespace plumb {
 
-/// Where a ray meets the scene.
+/// The surface where a ray meets the scene.
 struct Hit {
     std::uint32_t shape = 0;              ///< index into the shapes
     std::uint32_t primitive = 0;          ///< triangle of a mesh, else 0
@@ -22,14 +22,14 @@ struct Hit {
     std::array<double, 2> uv{};           ///< surface parameters for textures
 };
 
-/// The surface where a ray met a mesh; `shape` is left at 0. Parameters as Mitsuba's: the mesh's uvs or else (u, v).
-/// All of it is written in place: a hit is long, and is made for every ray.
+/// Sets the hit to the surface where a ray met a mesh; `shape` is left at 0. The parameters are Mitsuba's: the mesh's
+/// uvs or else (u, v). All of it is written in place: a hit is long, and one is made for every ray.
 void set_mesh_hit(Hit& hit, const Mesh& mesh, std::uint32_t triangle, double u, double v);
 
-/// Azimuth over 2π, in [0, 1).
+/// The azimuth of (x, y) over 2π, in [0, 1).
 double turn(double x, double y);
 
-/// What a shape that is not of triangles says of itself; a mesh is asked for its triangles.
+/// What a shape without triangles says of itself; a mesh is asked for its triangles.
 template <class Shape>
 concept AnalyticShape = requires(const Shape& shape, const Ray& ray, double t) {
     /// The smallest t in (0, t_max] at which the ray meets the shape, in double, for the ray as it stands.

@@ -8,7 +8,7 @@
 
 namespace plumb::description {
 
-/// In world space.
+/// A sphere in world space.
 struct Sphere {
     Vec3 center;
     double radius = 1;
@@ -19,7 +19,7 @@ struct Sphere {
     static Sphere load(Properties& properties);
 
     [[nodiscard]] std::optional<double> intersect(const Ray& ray) const;
-    /// uv is azimuth and polar angle, scaled to [0, 1], as Mitsuba's.
+    /// The surface where the ray meets the sphere; uv is azimuth and polar angle, scaled to [0, 1], as in Mitsuba.
     [[nodiscard]] Hit hit(const Ray& ray, double t) const;
     [[nodiscard]] Box bounds() const;
 };

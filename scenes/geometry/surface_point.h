@@ -27,10 +27,10 @@ struct SurfacePoint {
     double margin = 0;  ///< by which a start must be off the surface along the normal, beyond the rounding of floats
 };
 
-/// Half a unit in the last place of a float of each coordinate, at most.
+/// Half a unit in the last place of a float, at most, for each coordinate.
 Vec3 float_rounding(Vec3 p);
 
-/// A proper triangle with what all its points share.
+/// A proper triangle with the numbers that all its points share.
 struct Facet {
     std::array<Vec3, 3> vertices;
     Vec3 normal;                          ///< unit, by the vertices' order
@@ -41,26 +41,26 @@ struct Facet {
     explicit Facet(const std::array<Vec3, 3>& corners);
 };
 
-/// v0 (1−u−v) + v1 u + v2 v.
+/// The point v0 (1−u−v) + v1 u + v2 v of the triangle.
 SurfacePoint triangle_point(const Facet& facet, double u, double v);
-/// The point of the sphere towards the unit direction; its normal is that direction.
+/// The point of the sphere in a unit direction from its centre; its normal is that direction.
 SurfacePoint sphere_point(Vec3 center, double radius, Vec3 direction);
 /// A point of a disk with this normal.
 SurfacePoint disk_point(Vec3 position, Vec3 normal);
 
 /// The floats, as doubles, from which a ray towards `direction` leaves the point: on the side of its normal to which
-/// the direction points. `extra` is a further uncertainty an axis, which the far end of a segment has.
+/// the direction points. `extra` is a further uncertainty along each axis, which the far end of a segment has.
 Vec3 ray_origin(const SurfacePoint& from, Vec3 direction, Vec3 extra = {});
 
 // The numbers of the rays below are floats' values, as Embree will see them.
 
-/// From a point of a surface towards a direction of any length.
+/// A ray from a point of a surface towards a direction of any length.
 Ray leave(const SurfacePoint& from, Vec3 direction);
 /// The open segment between two points of surfaces: neither surface lies on it where they see each other.
 Ray connect(const SurfacePoint& from, const SurfacePoint& to);
 /// The open segment from a point of a surface to a point in space, which is on no surface.
 Ray connect_to_space(const SurfacePoint& from, Vec3 to);
-/// From anywhere in space, as a camera's: rounded to floats.
+/// A ray from anywhere in space, as a camera sends it, rounded to floats.
 Ray rounded_ray(Vec3 origin, Vec3 direction, double t_max = HUGE_VAL);
 
 }  // namespace plumb

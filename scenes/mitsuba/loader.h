@@ -1,6 +1,6 @@
 #pragma once
 
-// What the parts of the Mitsuba loader share; nobody else includes it.
+// This header holds what the parts of the Mitsuba loader share; nobody else includes it.
 
 #include <map>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace plumb::mitsuba {
 
-/// `toWorld` and `to_world` are one name, as are `intIOR` and `int_ior`.
+/// The one spelling of a name: `to_world` for `toWorld`, `int_ior` for `intIOR`.
 std::string snake_case(const std::string& name);
 
 /// The state of loading one file.

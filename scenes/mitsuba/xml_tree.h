@@ -17,11 +17,11 @@ struct XmlElement {
     description::Place place;
 
     [[nodiscard]] bool has(const std::string& attribute) const { return attributes.contains(attribute); }
-    /// Throws an Error with the place where the attribute is missing.
+    /// The attribute's value. Throws an Error with the place where the attribute is missing.
     [[nodiscard]] const std::string& attribute(const std::string& name) const;
 };
 
-/// Values for $name in attributes: the command line's go before the file's <default>.
+/// Values for $name in attributes: those of the command line go before the file's <default>.
 using Definitions = std::map<std::string, std::string>;
 
 /// The tree under <scene>, with <include filename="…"/> replaced by the children of the included <scene> and every

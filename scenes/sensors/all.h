@@ -12,7 +12,7 @@ namespace description {
 /// All sensors, each with `model(pose, film size, margin)`, the sensor that it becomes.
 using SensorModels = Types<Perspective, ThinLens>;
 
-/// Looks along +z of its space, x to the image's left and y up, as Mitsuba's.
+/// A sensor as the file has it. It looks along +z of its space, x to the image's left and y up, as Mitsuba's do.
 struct Sensor {
     Transform to_world;
     OneOf<SensorModels> kind;

@@ -5,7 +5,7 @@
 #include "scenes/description/models.h"
 #include "scenes/film/filters.h"
 
-// What the cameras of scene files share.
+// The cameras of scene files share what follows.
 namespace plumb::description {
 
 struct Film {
@@ -16,7 +16,7 @@ struct Film {
     static Film load(Properties& properties);
 };
 
-/// The full horizontal angle, in degrees, by what the file gives along the axis that it names.
+/// The full horizontal angle of view, in degrees, from what the file gives along the axis that it names.
 double load_fov_x(Properties& properties, const Film& film);
 
 }  // namespace plumb::description

@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// A pinhole: everything is in focus.
+/// A pinhole camera: everything is in focus.
 class Perspective {
 public:
     static constexpr bool has_lens = false;

@@ -12,7 +12,7 @@ class SceneSensor {
 public:
     using Model = description::OneOf<Sensors>;
 
-    /// Throws Error naming file and line.
+    /// The sensor of a description. Throws Error naming file and line.
     explicit SceneSensor(const description::Sensor& sensor);
 
     [[nodiscard]] FilmSize film() const { return film_; }
@@ -25,11 +25,12 @@ public:
         const Ray ray = std::visit([&](const auto& m) { return m.sample_ray(film, lens); }, model_);
         return rounded_ray(ray.origin, ray.direction);
     }
-    /// Of a ray whose direction is a unit vector, for film points beyond the film too, where a filter reaches.
+    /// The density per steradian of a ray whose direction is a unit vector, for film points beyond the film too, where
+    /// a filter reaches.
     [[nodiscard]] double pdf(const Ray& ray) const {
         return std::visit([&](const auto& m) { return m.pdf(ray); }, model_);
     }
-    /// Film points beyond the film too, where a filter reaches.
+    /// The connection from a point to the lens, for film points beyond the film too, where a filter reaches.
     [[nodiscard]] std::optional<SensorSample> connect(Vec3 from, const Point<2>& lens) const {
         return std::visit([&](const auto& m) { return m.connect(from, lens); }, model_);
     }

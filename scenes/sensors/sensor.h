@@ -21,6 +21,7 @@ namespace plumb {
 //   A pinhole cannot be hit: Measure::discrete, pdf 1, and `importance` is that on a plane that faces it, W cos θ
 //   (lens area)/d² in the limit.
 
+/// A point of the lens as it is seen from a reference point in the scene.
 struct SensorSample {
     Point<2> film;   ///< where the ray through the lens point would start
     Vec3 direction;  ///< unit, from the reference point to the lens
@@ -34,9 +35,9 @@ template <class S>
 concept SensorModel = requires(const S& sensor, const Point<2>& film, const Point<2>& lens, Vec3 from, const Ray& ray) {
     /// The ray that enters the scene; lens is uniform on [0,1)².
     { sensor.sample_ray(film, lens) } -> std::same_as<Ray>;
-    /// Per steradian of the ray's direction, its origin on the lens given; 0 outside the film.
+    /// The density per steradian of the ray's direction, for its origin on the lens; 0 outside the film.
     { sensor.pdf(ray) } -> std::same_as<double>;
-    /// Empty: the sensor does not see `from` through this lens point.
+    /// An empty result means that the sensor does not see `from` through this lens point.
     { sensor.connect(from, lens) } -> std::same_as<std::optional<SensorSample>>;
 };
 

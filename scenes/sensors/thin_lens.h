@@ -15,13 +15,14 @@ class ThinLens {
 public:
     static constexpr bool has_lens = true;
 
-    /// focus: distance of the plane in focus. Throws Error unless radius and focus are positive and finite.
+    /// A lens with `focus`, the distance of the plane in focus. Throws Error unless radius and focus are positive and
+    /// finite.
     ThinLens(const CameraPose& pose, FilmSize size, double fov, double radius, double focus, FovAxis axis = FovAxis::x,
              double margin = 0);
 
     [[nodiscard]] Ray sample_ray(const Point<2>& film, const Point<2>& lens) const;
-    /// The plane in focus is at distance focus/cos, so that dω = cos³ dA/focus², dA = focus² of the plane at 1: as for
-    /// the pinhole, whatever the point of the lens.
+    /// The density per steradian of the ray's direction. The plane in focus is at distance focus/cos, so that dω = cos³
+    /// dA/focus², dA = focus² of the plane at 1: as for the pinhole, whatever the point of the lens.
     [[nodiscard]] double pdf(const Ray& ray) const;
     [[nodiscard]] std::optional<SensorSample> connect(Vec3 from, const Point<2>& lens) const;
 
@@ -42,7 +43,7 @@ struct ThinLens {
 
     static constexpr std::array plugins{Plugin{"thinlens", "a camera with a lens, in focus at one distance"}};
     static ThinLens load(Properties& properties, const Film& film);
-    /// A pinhole where the radius is 0.
+    /// The sensor that it becomes: a pinhole where the radius is 0.
     [[nodiscard]] std::variant<plumb::ThinLens, plumb::Perspective> model(const CameraPose& pose, FilmSize size,
                                                                           double margin) const;
 };

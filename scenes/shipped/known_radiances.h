@@ -13,8 +13,8 @@ namespace plumb {
 
 /// A radiance of a scene that is known without rendering it (docs/scenes.md, "Known radiances").
 struct KnownRadiance {
-    /// point: along the ray through a film point, with a lens the mean over it. pixel: the mean over the pixel that the
-    /// film point lies in.
+    /// point: the radiance along the ray through a film point, with a lens the mean over it. pixel: the mean over the
+    /// pixel that the film point lies in.
     enum class Over { point, pixel };
 
     Point<2> film;  ///< in pixels, x right and y down
@@ -25,7 +25,7 @@ struct KnownRadiance {
     std::string derivation;
 };
 
-/// What a scene's expected.json says.
+/// The content of a scene's expected.json.
 struct KnownScene {
     std::string question;
     FilmSize film;

@@ -11,20 +11,21 @@ struct ShippedScene {
     std::string name, question;
     std::filesystem::path file;  ///< its scene.xml; expected.json lies beside it
 
-    /// What known_radiances() reads.
+    /// The file that known_radiances() reads.
     [[nodiscard]] std::filesystem::path expected() const { return file.parent_path() / "expected.json"; }
 };
 
-/// By name: of an installed program those in its ../share/plumb/scenes, else those of the sources it was built from.
+/// All shipped scenes by name: an installed program has them in its ../share/plumb/scenes, another in the sources that
+/// it was built from.
 std::vector<ShippedScene> shipped_scenes();
 
-/// The same, by name alone: reads no file.
+/// Their names alone; reads no file.
 std::vector<std::string> shipped_scene_names();
 
 /// The file of this path if there is one, else that of the shipped scene of this name. Throws Error naming the nearest.
 std::filesystem::path scene_file(const std::string& name_or_path);
 
-/// What a scene's file is called; scene.xml goes by its folder.
+/// The name of a scene's file; scene.xml goes by its folder.
 std::string scene_name(const std::filesystem::path& file);
 
 }  // namespace plumb

@@ -14,7 +14,7 @@ namespace description {
 
 enum class Wrap { repeat, mirror, clamp };
 
-/// A picture from a file.
+/// A picture from a file, as a texture.
 struct Bitmap {
     std::filesystem::path file;
     bool raw = false;  ///< values are taken as they are; else files of 8 and 16 bits are decoded as sRGB
@@ -22,16 +22,16 @@ struct Bitmap {
 
     static constexpr std::array plugins{Plugin{"bitmap", "a picture, looked up bilinearly"}};
     static Bitmap load(Properties& properties);
-    /// Reads the file. Throws Error naming it.
+    /// The bitmap ready for lookups: reads the file. Throws Error naming it.
     [[nodiscard]] BitmapLookup prepared() const;
 };
 
 }  // namespace description
 
-/// Bilinear between texel centres at ((i + 1/2)/width, (j + 1/2)/height); v = 0 is the top edge.
+/// The value at (u, v), bilinear between texel centres at ((i + 1/2)/width, (j + 1/2)/height); v = 0 is the top edge.
 Spectrum bilinear(const Texels& texels, description::Wrap wrap, double u, double v);
 
-/// A bitmap ready for lookups: a value; its picture is shared.
+/// A bitmap ready for lookups. It is a value; copies share the picture.
 struct BitmapLookup {
     std::shared_ptr<const Texels> texels;
     description::Wrap wrap;

@@ -7,7 +7,7 @@
 
 namespace plumb::description {
 
-/// Squares of side 1/2: color0 around (1/4, 1/4) and (3/4, 3/4).
+/// Squares of side 1/2, with color0 around (1/4, 1/4) and (3/4, 3/4).
 struct Checkerboard {
     Spectrum color0 = Spectrum::grey(0.4), color1 = Spectrum::grey(0.2);
 

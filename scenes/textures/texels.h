@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// Linear RGB texels, row by row from the top. Greys are three equal numbers; alpha is dropped.
+/// Linear RGB texels, row by row from the top. A grey texel is three equal numbers; alpha is dropped.
 struct Texels {
     int width = 0, height = 0;
     std::vector<float> rgb;  ///< 3·width·height
@@ -20,8 +20,9 @@ struct Texels {
     }
 };
 
-/// Any file that OpenImageIO decodes. Integer texels are taken as sRGB and made linear, unless raw; floats are taken as
-/// they are. Throws Error naming the file for what it cannot decode, and for texels that are NaN, infinite or negative.
+/// Reads any file that OpenImageIO decodes. Integer texels are taken as sRGB and made linear, unless raw; floats are
+/// taken as they are. Throws Error naming the file for what it cannot decode, and for texels that are NaN, infinite or
+/// negative.
 Texels read_texels(const std::filesystem::path& file, bool raw = false);
 
 }  // namespace plumb

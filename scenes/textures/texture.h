@@ -18,10 +18,10 @@ struct Texture {
 
 }  // namespace description
 
-/// A texture ready for lookups: a value; pictures are shared.
+/// A texture ready for lookups. It is a value; copies share its picture.
 class TextureLookup {
 public:
-    /// Reads the file of a bitmap. Throws Error with the texture's place.
+    /// Prepares the model; a bitmap's file is read. Throws Error with the texture's place.
     explicit TextureLookup(const description::Texture& texture);
     [[nodiscard]] Spectrum at(double u, double v) const;
 
@@ -30,7 +30,7 @@ private:
     Transform to_uv_;
 };
 
-/// A colour at a hit's uv, by the textures of its scene.
+/// The colour at a hit's uv, looked up in the textures of its scene.
 Spectrum value(const description::Colour& colour, const std::vector<TextureLookup>& textures, double u, double v);
 
 }  // namespace plumb
