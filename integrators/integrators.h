@@ -12,7 +12,7 @@
 
 namespace plumb {
 
-/// What an integrator's pictures are of.
+/// The kinds of pictures that an integrator makes, and the paths that it counts.
 struct Makes {
     bool radiance = true;             ///< all light of paths up to some length; not so of albedos
     std::optional<int> longest = {};  ///< edges of its longest paths, where that is not for the limits to say
@@ -29,17 +29,18 @@ struct NamedIntegrator {
     std::unique_ptr<PathEstimator> (*make)(const PathLimits& limits, const Parameters& parameters);
 };
 
+/// All integrators.
 const std::vector<NamedIntegrator>& integrators();
-/// Null for a name that is none's.
+/// The integrator of this name; null where there is none.
 const NamedIntegrator* known_integrator(const std::string& id);
-/// Throws Error naming the nearest ones.
+/// The integrator of this name. Throws Error naming the nearest ones.
 const NamedIntegrator& find_integrator(const std::string& id);
-/// Those whose pictures are references, the one that makes most kinds of paths first.
+/// The integrators whose pictures are references, the one that makes most kinds of paths first.
 std::vector<const NamedIntegrator*> reference_integrators();
 
-/// The integrator of that name, held to all limits: `length` too. Throws Error for a strategy of one that makes none
-/// alone, for a longest path of another length than the integrator's own,
-/// and for a parameter that is not accepted.
+/// The integrator of that name, held to all limits, `length` too. Throws Error for a strategy of an integrator that
+/// makes none alone, for a longest path of another length than the integrator's own, and for a parameter that is not
+/// accepted.
 std::unique_ptr<PathEstimator> make_integrator(const std::string& id, PathLimits limits,
                                                const ParameterTexts& parameters = {});
 

@@ -9,12 +9,13 @@ namespace plumb {
 struct NamedDriver {
     std::string id, summary, source;
     std::vector<Parameter> parameters;
-    /// For a job that has none yet: what the driver learns of the scene, it learns here.
+    /// The driver for a job that has none yet: it learns here what it has to learn of the scene.
     std::unique_ptr<Driver> (*make)(const RenderJob& job, const Parameters& parameters);
 };
 
+/// All drivers.
 const std::vector<NamedDriver>& drivers();
-/// Throws Error naming the nearest ones.
+/// The driver of this name. Throws Error naming the nearest ones.
 const NamedDriver& find_driver(const std::string& id);
 
 }  // namespace plumb

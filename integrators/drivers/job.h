@@ -11,7 +11,8 @@ namespace plumb {
 
 struct Driver;
 
-/// Which paths, in which passes. A pass is a replicate of the whole image: passes give the variance.
+/// The sampler, the samples and the passes of a render. A pass is a replicate of the whole image: passes give the
+/// variance.
 struct RenderSettings {
     std::string sampler = "independent";  ///< see sampler.h
     std::uint32_t samples_per_pass = 4;   ///< of each pixel
@@ -22,7 +23,7 @@ struct RenderSettings {
     std::uint32_t first_pass = 0, pass_step = 1;
 };
 
-/// A render before it begins: a pass is a function of the job and of its number. How many passes there are is no
+/// A render before it begins. A pass is a function of the job and of its number; how many passes there are is no
 /// concern of the driver, which is the same for all of them.
 struct RenderJob {
     const Scene& scene;
@@ -31,22 +32,24 @@ struct RenderJob {
     std::shared_ptr<const Driver> driver = nullptr;
 };
 
-/// The job by the driver that every render has unless another is asked for (pixels.h).
+/// The job with the driver that every render has unless another is asked for (pixels.h).
 RenderJob job_of(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings);
 
-/// Samples a pixel cut into passes: as near to 16 passes as divides them.
+/// The settings with so many samples a pixel, cut into passes whose number divides them and is as near to 16 as it can
+/// be.
 RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_pixel);
 
-/// Part i of n, counted from 1: every n-th pass. Throws Error where some part had none.
+/// Part i of n, counted from 1, which has every n-th pass. Throws Error where some part had none.
 RenderSettings part_of(RenderSettings settings, std::uint32_t i, std::uint32_t n);
 
-/// The numbers of one sample of a pixel: those of pass p are samples_per_pass from p · samples_per_pass on.
+/// The key to the numbers of one sample of a pixel: pass p has the samples_per_pass samples from p · samples_per_pass
+/// on.
 PathKey path_key(const Scene& scene, const RenderSettings& settings, int x, int y, std::uint32_t sample);
 
 /// Throws Error for a crop that is not within the film.
 void check_crop(const FilmRegion& crop, FilmSize film);
 
-/// Layers of a render: radiance, then what the camera sees first (albedo, normal, depth), by the same samples.
+/// The layers of a render: radiance, then what the camera sees first (albedo, normal, depth), by the same samples.
 std::vector<FilmLayer> render_layers();
 
 }  // namespace plumb

@@ -15,12 +15,12 @@ class PassImage {
 public:
     explicit PassImage(const FilmRegion& crop) : crop_(crop) {}
 
-    /// A part, its upper left corner at this pixel of the film, and the rays that it took.
+    /// Adds a part, its upper left corner at this pixel of the film, and the rays that it took.
     void add(int x, int y, const FilmPass& part, std::uint64_t rays);
-    /// Light for pixels of the crop, each value divided by the paths that bring some a sample.
+    /// Adds light to pixels of the crop, each value divided by the number of paths that bring some for each sample.
     void splat(std::span<const SplatOnPixel> splats);
 
-    /// All that was added. For when no thread adds any more.
+    /// All that was added, to be asked when no thread adds any more.
     [[nodiscard]] const FilmPass& pixels();
     [[nodiscard]] std::uint64_t rays() const { return rays_; }
 

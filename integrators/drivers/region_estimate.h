@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-/// The mean luminance of the region's pixels, from n paths of one sample set; evaluations counts rays.
+/// The mean luminance of the region's pixels, estimated by n paths of one sample set; evaluations counts rays.
 Estimate region_estimate(const Scene& scene, const PathEstimator& estimator, const std::string& sampler,
                          const FilmRegion& region, std::uint64_t n, std::uint64_t seed);
 

@@ -11,7 +11,7 @@ struct Rendered {
     std::uint64_t rays = 0;
 };
 
-/// How far a render is: pieces of passes done, of all those of all passes.
+/// The progress of a render: the pieces that are done, and the pieces of all passes.
 struct RenderProgress {
     std::uint64_t done, total;
 };
@@ -21,7 +21,7 @@ struct RenderProgress {
 /// the last piece of one. The same settings give the same bits on any number of threads.
 Rendered render(const RenderJob& job, const std::function<bool(const RenderProgress&)>& go_on = {});
 
-/// By the driver that every render has unless another is asked for.
+/// Renders with the driver that every render has unless another is asked for.
 Rendered render(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings,
                 const std::function<bool(const RenderProgress&)>& go_on = {});
 

@@ -10,21 +10,22 @@
 
 namespace plumb {
 
-/// Samplers of a render: the point sets whose points are each uniform, as `plumb list estimators` names them.
+/// The samplers of a render: the point sets whose points are each uniform, as `plumb list estimators` names them.
 const std::vector<PointSet<2>>& samplers();
-/// `sobol` is `sobol-owen` in a render: Sobol's sequence itself is no random set. Throws Error naming the nearest ones.
+/// The sampler of this name; `sobol` is `sobol-owen` in a render, as Sobol's sequence itself is no random set. Throws
+/// Error naming the nearest ones.
 const PointSet<2>& find_sampler(const std::string& id);
 
-/// Where a render's random numbers come from: independent ones, or point sets over the samples of a pixel in a pass.
+/// The source of a render's random numbers: independent ones, or point sets over the samples of a pixel in a pass.
 class Sampler {
 public:
-    /// n samples of a pixel a pass. Throws Error for an unknown name.
+    /// A sampler for n samples of a pixel in a pass. Throws Error for an unknown name.
     Sampler(const std::string& id, std::uint32_t n);
 
-    /// The numbers of one path, until the next start().
+    /// The numbers of one path, which hold until the next start().
     PrimarySamples& start(const PathKey& key);
 
-    /// Whether the paths of a pixel in a pass are independent of each other: then their spread is the error of their
+    /// Whether the paths of a pixel in a pass are independent of each other: then their spread gives the error of their
     /// mean.
     [[nodiscard]] bool independent() const { return std::holds_alternative<IndependentSamples>(samples_); }
 

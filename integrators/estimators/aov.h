@@ -4,8 +4,8 @@
 
 namespace plumb {
 
-/// What the camera sees first, without light: the albedo there, black where there is nothing. Normal and depth come
-/// with every render.
+/// The albedo of what the camera sees first, without light; black where there is nothing. Normal and depth come with
+/// every render.
 struct Aov final : PathEstimator {
     void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples,
                PathRecord& record) const override;

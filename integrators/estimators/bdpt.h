@@ -12,8 +12,8 @@ namespace plumb {
 using StrategyWeight = std::function<double(const PathChain& chain, int t)>;
 
 /// Bidirectional path tracing: every vertex of a subpath from the sensor is connected to every vertex of one from a
-/// light, all ways to make a path share it by multiple importance sampling [Veach & Guibas 1994; Lafortune & Willems
-/// 1993; Veach 1997, chapter 10]. Strategy (s, t) has s vertices from the light and t from the sensor:
+/// light, and all ways to make a path share it by multiple importance sampling [Veach & Guibas 1994; Lafortune &
+/// Willems 1993; Veach 1997, chapter 10]. Strategy (s, t) has s vertices from the light and t from the sensor:
 ///   (0, t) meets a light, (1, t) samples one from its last vertex, (s, 1) connects the light's subpath to the lens.
 struct Bdpt final : PathEstimator {
     SubpathRules rules;
@@ -28,7 +28,8 @@ struct Bdpt final : PathEstimator {
                PathRecord& record) const override;
 };
 
-/// 1 for a strategy, 0 for others: the paths of s + t − 1 edges as it makes them.
+/// The weights of one strategy alone, 1 for it and 0 for others: they give the paths of s + t − 1 edges as it makes
+/// them.
 StrategyWeight strategy_alone(const Strategy& strategy);
 
 }  // namespace plumb

@@ -6,9 +6,9 @@
 
 namespace plumb {
 
-/// Light tracing: paths from lights, each of whose vertices is connected to the lens, and falls wherever it is seen
-/// [Arvo 1986; Veach 1997, section 10.2.1]. What lights and the environment look like themselves, a camera ray of the
-/// region finds, and with it the layers of what is seen first.
+/// Light tracing: paths from lights, each of whose vertices is connected to the lens and falls wherever it is seen
+/// [Arvo 1986; Veach 1997, section 10.2.1]. Lights and the environment as they are seen directly are found by a camera
+/// ray of the region, and with them the layers of what is seen first.
 struct LightTracer final : PathEstimator {
     PathLimits limits;
     SensorConnection connection = connect_to_lens;
@@ -24,7 +24,7 @@ struct LightTracer final : PathEstimator {
 
 private:
     void trace_from_light(const Scene& scene, Draws draws, PathRecord& record) const;
-    /// What the vertex sends to the lens, of each unit of flux that reaches it.
+    /// Adds what the vertex sends to the lens for each unit of flux that reaches it.
     void splat(const Scene& scene, const PathVertex& vertex, const Spectrum& flux, int edges, const Draws& of_vertex,
                PathRecord& record) const;
 };

@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// What another estimator says of paths of one length.
+/// The paths of one length that another estimator makes.
 struct OneLength final : PathEstimator {
     std::shared_ptr<const PathEstimator> estimator;
     int edges;

@@ -15,8 +15,8 @@ struct Strategy {
     friend bool operator==(const Strategy&, const Strategy&) = default;
 };
 
-/// How a sample came about: what its vertices and splats do not say. Estimators tell it to who listens
-/// (PathRecord::story), as they go.
+/// The story of a sample: how it came about, as far as its vertices and splats do not say it. Estimators tell it, as
+/// they go, to whoever listens (PathRecord::story).
 struct PathStory {
     /// A direction that the BSDF of a vertex chose.
     struct Scattering {
@@ -29,7 +29,7 @@ struct PathStory {
         double survival = 1;  ///< probability with which roulette lets the path go on; 1 where it is not played
         bool survived = true;
     };
-    /// Light that a strategy found; it adds throughput · light · weight / density to a splat, or nothing where that is
+    /// Light that a strategy found. It adds throughput · light · weight / density to a splat, or nothing where that is
     /// black.
     struct Finding {
         Strategy strategy;
@@ -53,10 +53,10 @@ struct PathStory {
 
     void clear() { *this = {}; }
     // Out of line, because nobody listens to most paths: inlined, telling costs `path` a tenth of its speed.
-    /// Light that is to be the splat of this index, or a part of it, behind `throughput`.
+    /// Tells of light that is to be the splat of this index, or a part of it, behind `throughput`.
     void found(Finding finding, std::size_t splat);
     void scattered(const Scattering& scattering);
-    /// Whether roulette let the path go on in the direction told last.
+    /// Tells whether roulette let the path go on in the direction told last.
     void played(double survival, bool survived);
 };
 

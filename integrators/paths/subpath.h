@@ -7,9 +7,9 @@
 namespace plumb {
 
 // Subpaths from the sensor and from a light, and the densities that multiple importance sampling of their connections
-// asks for. Densities are per area of the vertex found; per steradian for the environment; of the next vertex of an
-// environment's, whose rays come from a disk, per area of that disk times the cosine. Those of the sensor count a film
-// that is sampled evenly, once for each light subpath: 1/pixels per pixel².
+// asks for. A density is per area of the vertex that is found; per steradian for the environment; and for the vertex
+// after an environment, whose rays come from a disk, per area of that disk times the cosine. Densities of the sensor
+// are for a film that is sampled evenly, once for each light subpath: 1/pixels per pixel².
 
 /// A vertex of a subpath.
 struct SubpathVertex {
@@ -32,24 +32,25 @@ struct SubpathVertex {
 };
 using Subpath = std::vector<SubpathVertex>;
 
-/// dω → dA: of what leaves `from` with the density pdf, at `to`.
+/// The density per area at `to` of what leaves `from` with the density pdf per steradian: dω → dA.
 double per_area(double pdf, const SubpathVertex& from, const SubpathVertex& to);
 using PerArea = double (*)(double pdf, const SubpathVertex& from, const SubpathVertex& to);
 
-/// 1/d²: with the cosines, which scattering has, dω → dA between two surfaces that see each other.
+/// The falloff 1/d²: with the cosines, which scattering contains, it turns dω into dA between two surfaces that see
+/// each other.
 inline double falloff(const SubpathVertex& x, const SubpathVertex& y) {
     return 1 / length_squared(y.position() - x.position());
 }
 using Falloff = double (*)(const SubpathVertex& x, const SubpathVertex& y);
 
-/// How subpaths grow and meet: functions, so that a claim can put others in their place.
+/// The rules by which subpaths grow and meet: functions, so that a claim can put others in their place.
 struct SubpathRules {
     PathLimits limits;
     Survival survival = survive_by_throughput;
     ShadingCorrection correction = shading_correction;
     PerArea per_area = plumb::per_area;
     Falloff falloff = plumb::falloff;
-    /// What a subpath from either end carries.
+    /// The quantity that a subpath from either end carries.
     Transport from_camera = Transport::radiance, from_light = Transport::importance;
 };
 
@@ -57,20 +58,20 @@ struct SubpathRules {
 /// a subpath begins: at the sensor, or at a vertex of a light.
 double density_onwards(const Scene& scene, const SubpathVertex* before, const SubpathVertex& at,
                        const SubpathVertex& next, PerArea per_area);
-/// With which a light's subpath begins at the vertex, towards `next`: of its first vertex alone.
+/// The density with which a light's subpath begins at the vertex and goes on towards `next`: of its first vertex alone.
 double density_of_origin(const Scene& scene, const SubpathVertex& light, const SubpathVertex& next);
-/// With which a choice samples a light from a surface.
+/// The density with which a choice samples a light from a surface.
 double density_of_choice(const Scene& scene, const LightChoice& choice, const SubpathVertex& light,
                          const SubpathVertex& from, PerArea per_area);
 
-/// The sensor, surfaces, and the environment where the subpath leaves the scene.
+/// The subpath from the sensor: the sensor, surfaces, and the environment where the subpath leaves the scene.
 Subpath camera_subpath(const Scene& scene, const CameraStart& start, const SubpathRules& rules, Draws& draws,
                        PathRecord& record);
-/// A vertex of a light, and surfaces. Empty without lights.
+/// The subpath from a light: a vertex of the light, and surfaces. It is empty in a scene without lights.
 Subpath light_subpath(const Scene& scene, const SubpathRules& rules, Draws& draws, PathRecord& record);
 
 SubpathVertex sensor_vertex(Vec3 position);
-/// Of a light that a choice found from there.
+/// The vertex of a light that a choice found from there.
 SubpathVertex light_vertex(const Scene& scene, Vec3 from, const SceneLightSample& sample);
 
 }  // namespace plumb

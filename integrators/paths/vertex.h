@@ -4,17 +4,18 @@
 
 namespace plumb {
 
-/// How a path that starts at the sensor begins: its film point, and the ray that enters the scene.
+/// The beginning of a path at the sensor: its film point, and the ray that enters the scene.
 struct CameraStart {
     Point<2> film;
     Ray ray;
 };
 CameraStart start_at_camera(const Scene& scene, const FilmRegion& region, Draws& draws);
 
-/// Where a ray meets the scene, at the vertex of this number (the sensor is 0); empty where it leaves it.
+/// The surface that a ray meets first, at the vertex of this number (the sensor is 0); empty where the ray leaves the
+/// scene.
 std::optional<Hit> trace_to_hit(const Scene& scene, const Ray& ray, SampleIndex index, Draws& draws,
                                 PathRecord& record);
-/// With what scatters there, for light that leaves against the ray.
+/// The vertex at a hit, with what scatters there, for light that leaves against the ray.
 PathVertex vertex_at(const Scene& scene, const Hit& hit, const Ray& ray);
 std::optional<PathVertex> trace_to_vertex(const Scene& scene, const Ray& ray, std::uint16_t vertex, Draws& draws,
                                           PathRecord& record);
@@ -27,7 +28,8 @@ struct ScatterSample {
     Measure measure;
     double eta;
 };
-/// Empty where nothing scatters, or where the normals disagree about the side of the light.
+/// A direction drawn by the BSDF; empty where nothing scatters, or where the normals disagree about the side of the
+/// light.
 std::optional<ScatterSample> sample_bsdf(const PathVertex& vertex, SampleIndex index, Draws& draws,
                                          Transport transport);
 /// Tells the story, where somebody listens, of a direction and the throughput behind it.
@@ -43,8 +45,8 @@ inline bool survives_roulette(double probability, std::uint16_t number, Draws& d
     return survives;
 }
 
-/// f |cos| about the shading normal for light from wi (radiance) or to wi (importance); black where the normals
-/// disagree about the side of the light.
+/// The value f |cos| about the shading normal for light from wi (radiance) or to wi (importance); black where the
+/// normals disagree about the side of the light.
 Spectrum eval_bsdf(const PathVertex& vertex, Vec3 wi, Transport transport);
 
 }  // namespace plumb

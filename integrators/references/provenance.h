@@ -13,8 +13,8 @@
 
 namespace plumb {
 
-/// What a picture that Plumb rendered is a function of, as its metadata say it (docs/render.md): no dates, no seconds,
-/// so that the same seed gives the same file.
+/// The data that a picture rendered by Plumb is a function of, as its metadata say it (docs/render.md): no dates, no
+/// seconds, so that the same seed gives the same file.
 struct Provenance {
     std::string scene = {}, scene_hash = {}, integrator = {}, sampler = {}, version = {};
     std::string driver = "pixels";
@@ -25,23 +25,24 @@ struct Provenance {
     FilmRegion crop = {};
     FilmError error = {};
 
-    /// Whether it counts all paths up to some length; not those of one length or strategy alone, nor albedos.
+    /// Whether the picture counts all paths up to some length: not those of one length or strategy alone, nor albedos.
     [[nodiscard]] bool is_radiance() const;
-    /// In edges, of the longest paths that count; empty: all do.
+    /// The number of edges of the longest paths that count; empty where all do.
     [[nodiscard]] std::optional<int> longest_path() const;
 };
 
-/// The longest path that the file's picture counts. Throws Error naming it where it is not all light up to some length.
+/// The longest path that the file's picture counts. Throws Error naming the file where the picture is not all light up
+/// to some length.
 std::optional<int> longest_path_of(const Provenance& provenance, const std::string& file);
 
 /// Throws Error naming the file where its picture is not of this scene, to the last byte of its files.
 void require_same_scene(const Provenance& said, const Provenance& scene, const std::string& file);
 
-/// All but the error, which is known when the film is.
+/// The metadata of the picture, except its error, which is known when the film is.
 std::map<std::string, std::string> metadata_of(const Provenance& provenance);
 std::map<std::string, std::string> metadata_of(const FilmError& error);
-/// The inverse; empty for an image without `plumb:scene_hash`. Throws Error naming the file and an attribute that is no
-/// number where one is due.
+/// The provenance that an image's metadata say; empty for an image without `plumb:scene_hash`. Throws Error naming the
+/// file and an attribute that is no number where one is due.
 std::optional<Provenance> provenance_of(const Image& image, const std::string& file);
 
 }  // namespace plumb

@@ -14,15 +14,16 @@ struct Reference {
     Provenance provenance;
 };
 
-/// Where the reference of a scene by an integrator is kept: CACHE/SCENE-HASH-INTEGRATOR.exr, with -dD before the ending
-/// where paths end after D edges. A scene that changed has another hash, and so another file.
+/// The file in which the reference of a scene by an integrator is kept: CACHE/SCENE-HASH-INTEGRATOR.exr, with -dD
+/// before the ending where paths end after D edges. A scene that changed has another hash, and so another file.
 std::filesystem::path reference_file(const std::filesystem::path& cache, const Provenance& wanted);
 
-/// What lies there; empty where nothing does, or not what the name says, or what another version of Plumb made.
+/// The reference in that file; empty where there is none, or not the one that the name says, or one that another
+/// version of Plumb made.
 std::optional<Reference> find_reference(const std::filesystem::path& cache, const Provenance& wanted);
 
-/// Of a scene, that of paths of these lengths (empty: of any) by the first of reference_integrators() that has one.
-/// Throws Error saying how to make one of what was asked for: a file, or a shipped name.
+/// The reference of a scene for paths of these lengths (empty: of any), by the first of reference_integrators() that
+/// has one. Throws Error that says how to make one for `asked`, a file or a shipped name.
 Reference require_reference(const std::filesystem::path& cache, const Provenance& scene,
                             std::optional<int> longest_path, const std::string& asked);
 

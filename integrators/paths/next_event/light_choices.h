@@ -8,9 +8,9 @@
 
 namespace plumb {
 
-/// In proportion to what lights emit, whatever the vertex.
+/// The choice in proportion to what lights emit, whatever the vertex.
 std::shared_ptr<const LightChoice> choice_by_power();
-/// All lights alike.
+/// The choice of all lights with equal probabilities.
 std::shared_ptr<const LightChoice> uniform_choice();
 
 /// A choice that can be asked for by name.
