@@ -11,9 +11,9 @@
 #include "verification/verdict.h"
 
 // A claim is judged by a check: a pure function of a subject and of a run, Verdict(const Subject&, const Run&). A check
-// that draws nothing leaves out the run, one that has no subject leaves out the subject. What the right and the wrong
-// subjects share (delta, scene, reference) is bound in the check; what differs between them is the subject, a struct
-// where it is several things.
+// that draws nothing takes no run, one without a subject takes no subject. What the right and the wrong subjects share
+// (delta, scene, reference) is bound in the check; what differs between them is the subject, a struct where it is
+// several things.
 
 namespace plumb {
 
@@ -43,18 +43,18 @@ struct Judges<std::function<Verdict(Subject, const Run&)>> {
 
 }  // namespace detail
 
-/// What a check judges: Subject of Verdict(const Subject&, const Run&) or Verdict(const Subject&).
+/// The type of what a check judges: Subject of Verdict(const Subject&, const Run&) or Verdict(const Subject&).
 template <class CheckOfSubject>
 using SubjectOf = typename detail::Judges<decltype(std::function{std::declval<CheckOfSubject>()})>::type;
 
-/// A subject is judged and judges nothing: were it a check itself, a mutant could be refuted by another than the
-/// claim's.
+/// A type that is judged and judges nothing: if a subject were a check itself, a mutant could be refuted by another
+/// check than the claim's.
 template <class Subject>
 concept Judgeable =
     std::copy_constructible<Subject> && !std::same_as<Subject, Verdict> &&
     !std::is_invocable_r_v<Verdict, const Subject&, const Run&> && !std::is_invocable_r_v<Verdict, const Subject&>;
 
-/// A wrong subject before the check of its claim. Only a Trial makes one.
+/// A wrong subject together with the check of its claim. Only a Trial makes one.
 class Mutant {
 public:
     std::string id, defect;  ///< those of the Wrong
@@ -69,18 +69,18 @@ private:
     Check check_;
 };
 
-/// One check with the right subject and each wrong one; empty until it is given a check.
+/// A check with the right subject and each wrong one; empty until it is given a check.
 class Trial {
 public:
     Trial() = default;
 
-    /// A check that has no subject, so that there is nothing that a mutant could replace.
+    /// A trial by a check without a subject: there is nothing that a mutant could replace.
     template <class CheckAlone>
     requires std::is_invocable_r_v<Verdict, const CheckAlone&, const Run&> Trial(CheckAlone check)
         : right_(std::move(check)) {}
 
-    /// A check Verdict(const Subject&, const Run&) or Verdict(const Subject&) and what it judges. Subjects are kept by
-    /// value.
+    /// A trial by a check Verdict(const Subject&, const Run&) or Verdict(const Subject&) of the subjects that it
+    /// judges, which are kept by value.
     template <class CheckOfSubject>
     Trial(CheckOfSubject check, SubjectOf<CheckOfSubject> right,
           std::vector<Wrong<SubjectOf<CheckOfSubject>>> wrong = {})

@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-/// Which size classes a claim belongs to.
+/// The size classes that a claim belongs to.
 enum class Sizes { both, quick_only, full_only };
 
 /// A sentence that can be wrong, where it comes from, and how to find out.

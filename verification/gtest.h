@@ -7,7 +7,7 @@
 #include "verification/trial.h"
 #include "verification/verdict.h"
 
-// Verdicts in a GoogleTest suite:
+// Verdicts as assertions of a GoogleTest suite:
 //
 //   TEST(Disk, IsUniform) {
 //       EXPECT_TRUE(plumb::holds(plumb::distribution_is(draw_cell, claim, plumb::trial())));
@@ -22,7 +22,7 @@ inline Run trial(double alpha = trial_alpha) {
     return trial(test ? std::string(test->test_suite_name()) + "." + test->name() : "outside of a test", alpha);
 }
 
-/// Success only for `holds`: a claim that is undecided has not been shown.
+/// The assertion that succeeds only for `holds`: a claim that is undecided has not been shown.
 inline testing::AssertionResult holds(const Verdict& verdict) {
     testing::AssertionResult result(verdict.outcome == Outcome::holds);
     return result << describe(verdict) << "; again with PLUMB_SEED=" << trial_seed();

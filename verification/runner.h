@@ -33,25 +33,26 @@ struct Item {
     [[nodiscard]] std::string id() const { return mutant ? claim->id + "/" + mutant->id : claim->id; }
 };
 
-/// A mutant that is refuted is killed.
+/// A claim or mutant with its verdict. A mutant that is refuted is killed.
 struct Judged : Item {
     Verdict verdict = {};
     double seconds = 0;
 };
 
-/// Told of each verdict as it comes, in any order, one at a time: done of total.
+/// A listener that is told of each verdict as it comes, in any order, one at a time: done of total.
 using Progress = std::function<void(const Judged&, std::size_t done, std::size_t total)>;
 
 /// The claims of the size class that match one of the patterns (all when there is none), each followed by its mutants,
 /// in catalogue order. Throws Error for a pattern that selects nothing.
 std::vector<Item> select(const Catalogue& catalogue, Size size, const std::vector<std::string>& patterns);
 
-/// Every n-th claim and every n-th mutant: neighbours, which tend to cost the same, go to different shards.
+/// The shard's items, every n-th claim and every n-th mutant: neighbours, which tend to cost the same, go to different
+/// shards.
 std::vector<Item> shard_of(std::vector<Item> items, Shard shard);
 
-/// Judges what the setting selects, or just these items of it; the result stands in catalogue order. A verdict depends
-/// on (seed, claim id, alpha, size) alone: not on threads, selection, or what else runs. After a stop the result has
-/// only what was judged before.
+/// Judges what the setting selects, or just these items of it; the result is in the order of the catalogue. A verdict
+/// depends on (seed, claim id, alpha, size) alone: not on threads, selection, or what else runs. After a stop the
+/// result has only what was judged before.
 std::vector<Judged> judge(const Catalogue& catalogue, const RunSetting& setting, const Progress& progress);
 std::vector<Judged> judge(const Catalogue& catalogue, std::span<const Item> items, const RunSetting& setting,
                           const Progress& progress);

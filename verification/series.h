@@ -36,12 +36,13 @@ struct Series {
     std::optional<Interval> expected_slope;  ///< what theory says, where it says anything
 };
 
-/// Relative error of a formula over its corpus of hard cases, against multi-precision truth.
+/// The relative error of a formula in one of its hard cases, against the truth in many digits.
 struct StabilityPoint {
     std::string hard_case;
     double x = 0;               ///< where on the corpus' axis (for the plot)
     double relative_error = 0;  ///< in units of ulp if unit says so
 };
+/// A formula's relative errors over its corpus of hard cases, against the bound that is claimed.
 struct Stability {
     std::string formula, axis, unit = "ulp";
     double bound = 0;  ///< what is claimed

@@ -13,10 +13,11 @@
 
 namespace plumb {
 
-/// `holds` needs evidence of its own (the bias is smaller than delta); "not rejected" alone is `undecided`.
+/// The three outcomes. `holds` needs evidence of its own (the bias is smaller than delta); "not rejected" alone is
+/// `undecided`.
 enum class Outcome { holds, refuted, undecided };
 
-/// What a verdict is worth: see docs/statistics.md, one section a kind.
+/// The kinds of evidence, which say what a verdict is worth: docs/statistics.md has a section for each.
 enum class Kind { exact, bounded, distribution, mean, ratio, rate, cost };
 
 std::string to_string(Outcome outcome);
@@ -42,11 +43,11 @@ struct [[nodiscard]] Verdict {
     std::vector<Stability> stability;  ///< relative errors over hard cases
 };
 
-/// The verdict in one line, for whoever reads no report: the outcome, the reason, and how many samples told.
+/// The verdict in one line, for whoever reads no report: the outcome, the reason, and the number of samples.
 std::string describe(const Verdict& verdict);
 std::ostream& operator<<(std::ostream& out, const Verdict& verdict);  ///< describe()
 
-/// Several verdicts as one: refuted if any is, else undecided if any is, else holds. Samples add up, series and
+/// Several verdicts as one: refuted if any is, else undecided if any is, else holds. Samples add up; series and
 /// stability are joined; the numbers are those of the part that decided.
 Verdict all_of(std::vector<Verdict> parts);
 

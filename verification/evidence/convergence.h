@@ -30,11 +30,11 @@ Series measure_convergence(const Replicate& replicate, const ConvergenceSetting&
 /// The error of independent runs with n samples about the truth; the same bits however they were computed.
 ConvergencePoint convergence_point(std::uint64_t n, std::span<const Estimate> replicates, double truth);
 
-/// Sets the MSE, and what follows from its standard error: a 95 % interval, of log MSE where that exists.
+/// Sets the MSE and what follows from its standard error: a 95 % interval, and the error of log MSE where that exists.
 void set_mse(ConvergencePoint& point, double mse, double standard_error);
 
-/// Takes from a point what the error e of the truth, of variance v within the interval, did to it: the MSE about it is
-/// larger by e² − 2e·bias, whose mean is v and whose variance, for normal e, is 2v² + 4v·bias².
+/// Subtracts from a point's MSE what the error e of the truth adds, whose variance v lies within the interval: the MSE
+/// about a wrong truth is larger by e² − 2e·bias, whose mean is v and whose variance, for normal e, is 2v² + 4v·bias².
 void subtract_variance_of_truth(ConvergencePoint& point, const Interval& variance);
 
 /// The weighted least-squares slope over the points with mse > 0; level is two-sided (0.95 for a 95 % interval).

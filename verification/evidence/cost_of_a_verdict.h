@@ -7,8 +7,9 @@
 
 namespace plumb {
 
-/// What a mean verdict costs, in samples, against a test of a fixed size and what no test can beat. The values are
-/// uniform, their bounds declared, delta = sigma/50: small enough for costs to scale with (sigma/delta)².
+/// The setting in which the samples of a mean verdict are counted, against a test of a fixed size and what no test can
+/// beat. The values are uniform, their bounds declared, and delta = sigma/50: small enough for costs to scale with
+/// (sigma/delta)².
 struct CostSetting {
     double alpha = 1e-4 / 150;  ///< a typical share of the default budget
     double beta = 0.01;
@@ -33,11 +34,12 @@ struct SimulatedCost {
 };
 SimulatedCost simulate_verdict(const CostSetting& setting, double bias, RandomStream& random);
 
-/// The samples of the fixed design, and those after which a simulated verdict is undecided.
+/// The number of samples of the fixed design.
 double fixed_design(const CostSetting& setting);
+/// The number of samples after which a simulated verdict is undecided.
 double longest_verdict();
 
-/// One row for each bias.
+/// The costs, one row for each bias.
 std::vector<CostOfAVerdict> cost_of_a_verdict(const CostSetting& setting, const std::vector<double>& biases,
                                               const Run& run);
 

@@ -7,13 +7,13 @@
 
 namespace plumb {
 
-/// Verdicts that need no randomness. All of them print both operands in the reason.
+/// These verdicts need no randomness. All of them print both operands in the reason.
 
-/// Exact: equality in rational arithmetic or of integers, over `cases` cases; failure names the first that differs
-/// (empty when none does).
+/// The verdict on an exact claim: equality in rational arithmetic or of integers, over `cases` cases. A failure names
+/// the first case that differs (empty when none does).
 Verdict exactly(bool equal, std::uint64_t cases, std::string statement_of_result);
 
-/// Bounded: every |found − truth| / scale lies below the bound (scale 1: absolute). NaN refutes.
+/// One case of a bounded claim: every |found − truth| / scale lies below the bound (scale 1: absolute). NaN refutes.
 struct BoundedCase {
     std::string name;
     double error;  ///< already |found − truth| in the claim's unit
@@ -21,17 +21,17 @@ struct BoundedCase {
 };
 Verdict within_bound(const std::vector<BoundedCase>& cases, double bound, std::string unit);
 
-/// The same, recorded as a stability plot of the formula over its hard cases.
+/// The same verdict, recorded as a stability plot of the formula over its hard cases.
 Verdict stable(const std::vector<BoundedCase>& cases, double bound, std::string formula, std::string axis,
                std::string unit = "ulp");
 
-/// Cost: counted operations against an exact value or an interval.
+/// The verdict on a cost: counted operations against an exact value or an interval.
 Verdict cost_is(double counted, const Interval& claimed, std::string what);
 
-/// Holds when another verdict came out as demanded: "an integrand of infinite variance ends undecided".
+/// The verdict that holds when another one came out as demanded: "an integrand of infinite variance ends undecided".
 Verdict outcome_is(const Verdict& inner, Outcome demanded);
 
-/// |found − truth| in units in the last place of truth (double); 0 for equal values, infinity for NaN.
+/// The error |found − truth| in units in the last place of truth (double); 0 for equal values, infinity for NaN.
 double ulp_error(double found, double truth);
 
 }  // namespace plumb

@@ -21,23 +21,23 @@ struct DistributionClaim {
     double delta = 0;                   ///< the effect size phi = sqrt(sum (p−q)²/q) that `holds` excludes
 };
 
-/// Does draw fall into the cells with these probabilities? Pearson's chi-square at the sample count that makes
-/// `undecided` though true rarer than 1e-5; `holds` by the noncentral chi-square. docs/statistics.md, "Distributions".
-/// Throws Error when 2^32 samples would not do: a cell so rare belongs to a neighbour.
+/// The verdict on whether draws fall into the cells with these probabilities: Pearson's chi-square at the sample count
+/// that makes `undecided` though true rarer than 1e-5; `holds` by the noncentral chi-square. docs/statistics.md,
+/// "Distributions". Throws Error when 2^32 samples would not do: so rare a cell belongs to a neighbour.
 Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, const Run& run);
 
-/// What every expected count must reach for the chi-square's tail to be within 1.3 times its level at alpha.
+/// The count that every cell must expect for the chi-square's tail to be within 1.3 times its level at alpha.
 double least_expected_count(double alpha);
 
-/// How many samples a verdict takes: enough that a true claim is `undecided` with a probability of 1e-5 at most, and
-/// that every cell of positive probability expects least_expected_count().
+/// The number of samples that a verdict takes: enough that a true claim is `undecided` with a probability of 1e-5 at
+/// most, and that every cell of positive probability expects least_expected_count().
 std::uint64_t distribution_samples(const DistributionClaim& claim, double alpha, double beta);
 
-/// The verdict on given counts. degrees_of_freedom < 0: cells with positive probability − 1.
+/// The verdict on given counts. Where degrees_of_freedom < 0, it is the number of cells of positive probability less 1.
 Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const DistributionClaim& claim, double alpha,
                            double beta, int degrees_of_freedom = -1);
 
-/// The cells of a one-dimensional sample in [0,1): `cells` equal ones.
+/// The cell of a one-dimensional sample in [0,1), of `cells` equal ones.
 std::size_t equal_cell(double u, std::size_t cells);
 
 }  // namespace plumb

@@ -24,7 +24,8 @@ struct MeanClaim {
     bool zero_variance = false;                  ///< every value is claimed to be the reference itself (within epsilon)
 };
 
-/// Is the expectation of draw the reference? Sequential, anytime-valid, by betting: docs/statistics.md, "Mean claims".
+/// The verdict on whether the expectation of draw is the reference: sequential, anytime-valid, by betting.
+/// docs/statistics.md, "Mean claims".
 Verdict mean_is(const Draw& draw, const MeanClaim& claim, const Run& run);
 
 struct AtMostClaim {
@@ -34,7 +35,7 @@ struct AtMostClaim {
     std::uint64_t cap = std::uint64_t{1} << 24;
 };
 
-/// Is the expectation of draw at most the bound? The same test with one side left open.
+/// The verdict on whether the expectation of draw is at most the bound: the same test with one side left open.
 Verdict mean_at_most(const Draw& draw, const AtMostClaim& claim, const Run& run);
 
 }  // namespace plumb

@@ -12,15 +12,16 @@ struct RatioClaim {
     std::uint64_t replicates = 10000;
 };
 
-/// Is variance × cost of a, over that of b, in the interval? From independent replicates of both, by the log ratio and
-/// its standard error sqrt((k_a − 1)/R + (k_b − 1)/R), k the kurtosis. docs/statistics.md, "Ratios".
+/// The verdict on whether variance × cost of a, over that of b, is in the interval: from independent replicates of
+/// both, by the log ratio and its standard error sqrt((k_a − 1)/R + (k_b − 1)/R), k the kurtosis. docs/statistics.md,
+/// "Ratios".
 Verdict ratio_is(const Draw& a, const Draw& b, const RatioClaim& claim, const Run& run);
 
-/// Is the MSE of a over that of b, at the last n of both, in the interval? From what independent replicates gave.
-/// Throws std::logic_error where that n is not the same.
+/// The verdict on whether the MSE of a over that of b, at the last n of both, is in the interval, from what independent
+/// replicates gave. Throws std::logic_error where that n is not the same.
 Verdict mse_ratio_is(const Series& a, const Series& b, const Interval& ratio, const Run& run);
 
-/// Is the variance of draw the stated one, within a relative delta?
+/// The verdict on whether the variance of draw is the stated one, within a relative delta.
 Verdict variance_is(const Draw& draw, double variance, double relative_delta, std::uint64_t replicates, const Run& run);
 
 }  // namespace plumb

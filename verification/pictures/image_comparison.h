@@ -13,7 +13,7 @@
 
 namespace plumb {
 
-/// What is asked of two pictures. Derivations: docs/compare.md.
+/// The risks and tolerances with which two pictures are compared. Derivations: docs/compare.md.
 struct ComparisonSettings {
     double alpha = 1e-4;      ///< of refuting two true estimates: ½ tiles, ⅙ each chi-square, means, too alike
     double beta = 0.01;       ///< of `holds` when the mean or a tile is off by its delta or more
@@ -43,7 +43,7 @@ struct ChannelTest {
     double upper_p = 1, lower_p = 1;
 };
 
-/// Are differences of the size that their variances say, or smaller?
+/// The test whether differences are of the size that their variances say, or smaller.
 struct AlikenessTest {
     double ratio = 1;  ///< the mean over pixels of squared t, bounded: 1 or more for independent pictures
     double p_value = 1;
@@ -62,7 +62,7 @@ struct ImageComparison {
     std::uint64_t bad_a = 0, bad_b = 0;  ///< pixels that are not finite: they count nowhere
 };
 
-/// Are these two estimates of the same picture? Throws Error where sizes or channels differ.
+/// Compares two estimates of a picture: whether it is the same. Throws Error where sizes or channels differ.
 ImageComparison compare(const Picture& a, const Picture& b, const ComparisonSettings& settings = {});
 
 }  // namespace plumb

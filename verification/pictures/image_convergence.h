@@ -11,7 +11,7 @@
 
 namespace plumb {
 
-/// Independent renders of one picture with as many samples a pixel; their own variances are not looked at.
+/// Independent renders of one picture with equally many samples a pixel; their own variances are not looked at.
 struct RendersAt {
     std::uint64_t samples = 0;
     std::vector<std::string> files = {};
@@ -20,12 +20,12 @@ struct RendersAt {
 };
 
 /// The error of renders against a reference, over pixels that are finite everywhere and channels. What the reference's
-/// own variance adds to the MSE is subtracted. Errors of the MSE come from what renders of as many samples differ by,
-/// in blocks of 8 x 8 pixels, which may be correlated within; of a single one from what its blocks differ by, which is
-/// more. Throws Error naming a file whose size or channels are not the reference's.
+/// own variance adds to the MSE is subtracted. The error of the MSE comes from how renders with equally many samples
+/// differ, in blocks of 8 x 8 pixels, which may be correlated within; for a single render from how its blocks differ,
+/// which is more. Throws Error naming a file whose size or channels are not the reference's.
 ConvergencePoint convergence_point(const RendersAt& at, const Picture& reference);
 
-/// ⟨b² − v⟩ of a picture b with the variance v: what an MSE is divided by to be a relMSE.
+/// The power ⟨b² − v⟩ of a picture b with the variance v: an MSE divided by it is a relMSE.
 double power_of(const Picture& picture);
 
 }  // namespace plumb

@@ -4,17 +4,17 @@
 
 namespace plumb {
 
-/// What the errors of neighbouring pixels have in common, as a reconstruction filter or a denoiser makes them have.
+/// The correlation of the errors of neighbouring pixels, which a reconstruction filter or a denoiser brings about.
 struct Correlation {
     int reach = 0;          ///< pixels; 0: none was found
     double inflation = 1;   ///< of the variance of a sum over many pixels: 1 + the sum of all correlations
     double resolution = 0;  ///< an inflation less 1 that could have been missed (three standard errors)
 };
 
-/// Correlations at distances of one pixel, of two, …, up to the first distance at which they are not significant (three
-/// standard errors) or `farthest`. From the deviations of renders from their means where there are several of each,
-/// else from differences less what their surroundings differ by, and less what squared differences have in excess of
-/// the variances, where that is significant: it is a bias's.
+/// The correlations at distances of one pixel, of two, …, up to the first distance at which they are not significant
+/// (three standard errors) or `farthest`. Where there are several renders of each picture, they come from the
+/// deviations of renders from their means. Else they come from differences, less what the surroundings differ by, and
+/// less the excess of squared differences over the variances where that is significant: it is a bias's.
 Correlation correlation_of(const Picture& a, const Picture& b, int farthest = 6);
 
 }  // namespace plumb

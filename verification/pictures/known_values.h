@@ -33,9 +33,9 @@ struct ValuesCheck {
     std::vector<CheckedValue> values = {};  ///< known by known, channel by channel
 };
 
-/// Has the picture the values that are known, within delta? The mean over a square between pixels is that of the pixels
-/// that it overlaps, by their areas: exact where the picture is linear about it. At an edge it is moved inside. Refuted
-/// values are found by Holm's step-down over all of them.
+/// The verdict on whether the picture has the known values within delta. The mean over a square between pixels is that
+/// of the pixels that it overlaps, weighted by their areas: exact where the picture is linear about the square. At an
+/// edge the square is moved inside. Refuted values are found by Holm's step-down over all of them.
 ValuesCheck check(const Picture& picture, std::span<const KnownValue> known, const CheckSettings& settings = {});
 
 }  // namespace plumb

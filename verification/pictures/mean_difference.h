@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// How two sums over the same pixels differ: of a tile, or of the picture; of one channel.
+/// The difference of two sums over the same pixels: of a tile or of the picture, in one channel.
 struct MeanDifference {
     double a = 0, b = 0, difference = 0;  ///< mean a, mean b, a − b
     double standard_error = 0;
@@ -25,7 +25,7 @@ struct PixelBox {
     int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Sums over pixels that are finite in both pictures, of one channel.
+/// Sums over pixels that are finite in both pictures, in one channel.
 struct DifferenceSums {
     std::uint64_t pixels = 0;
     double a = 0, b = 0;  ///< of values
@@ -37,13 +37,13 @@ struct DifferenceSums {
     void merge(const DifferenceSums& other);
 };
 
-/// The sums of a box. A mean and the variance estimated from the same n values have covariance κ₃/n, so that
-/// (a − b)·variance_a estimates the third cumulant of a's mean without bias, whatever the distribution, where both
-/// have the same expectation. A bias must not look like a third cumulant: what the eight neighbours differ by is taken
-/// off first, and the rest is cut at two standard errors (a spike lies one away, whatever its size).
+/// The sums of a box. A mean and the variance estimated from the same n values have covariance κ₃/n, so that (a −
+/// b)·variance_a estimates the third cumulant of a's mean without bias, whatever the distribution, where both have the
+/// same expectation. A bias must not look like a third cumulant: the difference of the eight neighbours is taken off
+/// first, and the rest is cut at two standard errors (a spike lies one away, whatever its size).
 DifferenceSums sums_of(const Picture& a, const Picture& b, const PixelBox& box, std::size_t channel);
 
-/// What a difference is judged by.
+/// The rules by which a difference is judged.
 struct DifferenceRules {
     double degrees_a = 0, degrees_b = 0;  ///< of one pixel's variances
     double inflation = 1;                 ///< of the variance, by correlated neighbours
@@ -51,17 +51,18 @@ struct DifferenceRules {
     double epsilon = 0;                   ///< absolute: a difference that is allowed, and refutes nothing
     double beta = 0.01;
     double delta = 0;  ///< absolute
-    /// What a rare path brings to a pixel's mean, as it shows elsewhere: pixels without variance, on either side, may
-    /// lack some. 0: nothing shows noise anywhere.
+    /// The amount that a rare path brings to a pixel's mean, as it shows elsewhere: pixels without variance, on either
+    /// side, may lack some. 0: nothing shows noise anywhere.
     double spike = 0;
 };
 
-/// The largest standard error of a pixel's difference, of one channel: as much as one path brought there, at least.
+/// The largest standard error of a pixel's difference in one channel: as much as one path brought there, at least.
 double largest_spike(const Picture& a, const Picture& b, std::size_t channel);
 
-/// Tests equality and gives the interval of the difference. Sums without any variance are equal or not, but for spikes
-/// that no sample met: with m of them expected, that has probability exp(−m) [Poisson]. `around`: sums of a larger
-/// region with it, whose skewness counts where it is more: spikes that the region has and these pixels happen to lack.
+/// Tests equality and gives the interval of the difference. Sums without any variance are equal or not, except for
+/// spikes that no sample met: with m of them expected, that has probability exp(−m) [Poisson]. `around` has the sums of
+/// a larger region that contains the pixels; its skewness counts where it is more, for spikes that the region has and
+/// these pixels happen to lack.
 MeanDifference difference_of(const DifferenceSums& sums, const DifferenceSums& around, const DifferenceRules& rules);
 
 /// Whether skewness allows intervals of this one-sided risk: skewness·z³/3 ≤ 1.

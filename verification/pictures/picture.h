@@ -18,7 +18,7 @@ struct Picture {
     double rounding = 0;                ///< relative error of a stored number, by its format
     std::uint64_t renders = 1;          ///< independent images that the mean is of
     std::uint64_t bad_pixels = 0;       ///< that have a NaN
-    /// Deviations of each render from their mean, where there are two or more renders.
+    /// The deviations of each render from their mean, where there are two or more renders.
     std::vector<std::vector<float>> residuals = {};
 
     [[nodiscard]] std::size_t at(int x, int y, std::size_t channel) const {
@@ -28,15 +28,15 @@ struct Picture {
     }
 };
 
-/// The mean of independent renders, of their channels R, G and B (or X, Y, Z; or Y). Its variance comes from layers
-/// variance.R … with attribute plumb:replicates = R (R − 1 degrees of freedom each) where all of them have these,
-/// else from the spread of k ≥ 2 renders (k − 1 degrees of freedom). With `exact`, the picture is a deterministic
-/// one: no variance. `names` are the files', for messages. Throws Error saying what is missing, or which images differ
-/// in size, or which two share their random numbers.
+/// The mean of independent renders, in their channels R, G and B (or X, Y, Z; or Y). Its variance comes from layers
+/// variance.R … with attribute plumb:replicates = R (R − 1 degrees of freedom each) where all of them have these, else
+/// from the spread of k ≥ 2 renders (k − 1 degrees of freedom). With `exact`, the picture is a deterministic one,
+/// without variance. `names` are those of the files, for messages. Throws Error saying what is missing, or which images
+/// differ in size, or which two share their random numbers.
 Picture picture_of(std::span<const Image> renders, std::span<const std::string> names, bool exact = false);
 
-/// Whether each of the colours that picture_of() takes has its layer variance.…; Throws Error where some have, or as
-/// picture_of() does.
+/// Whether each of the colours that picture_of() takes has its layer variance.…; throws Error where only some have one,
+/// or as picture_of() does.
 bool has_variance(const Image& image, const std::string& name);
 
 /// Throws Error naming two images that have the same seed and scene in their metadata: they share samples, so that

@@ -41,12 +41,12 @@ struct SyntheticRender {
     }
 };
 
-/// Exponential: skewness 2.
+/// Exponential noise: skewness 2.
 inline double exponential_noise(RandomStream& random, int, int) {
     return -std::log1p(-random.uniform());
 }
 
-/// As exponential, but a sample in `rarity` is `size` times its expectation.
+/// The same noise, in which one sample in `rarity` is `size` times its expectation.
 inline auto spiky_noise(double rarity, double size) {
     return [=](RandomStream& random, int x, int y) {
         const double rest = (1 - size / rarity) / (1 - 1 / rarity);

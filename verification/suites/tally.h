@@ -10,7 +10,7 @@
 
 namespace plumb::suites {
 
-/// Counts cases and keeps the first that fails.
+/// A count of cases with the description of the first that fails.
 struct Tally {
     std::uint64_t cases = 0;
     std::string failure;

@@ -11,7 +11,7 @@
 
 namespace plumb::suites {
 
-// What the tests are tried on: laws with an exponential tilt. Rates of 1e-6 and less are reached by tilting: the test
+// Laws with an exponential tilt, on which the tests are tried. Rates of 1e-6 and less are reached by tilting: the test
 // runs under a law under which the rare outcome is common, and the outcome is weighted with the likelihood ratio, which
 // keeps the expectation (docs/statistics.md, "Calibration").
 
@@ -42,8 +42,8 @@ struct TiltedLaw {
         return static_cast<std::uint64_t>(100 / (delta_over_sigma * delta_over_sigma));
     }
     [[nodiscard]] TiltedLaw at(double another_delta_over_sigma) const;
-    /// The same values with nothing known of their range: then delta must be so small that the guard on skewness is
-    /// satisfied by the time the test could decide, n = 14 (sigma/delta)² or so.
+    /// The same law with nothing known of the range of its values: then delta must be so small that the guard on
+    /// skewness is satisfied by the time the test could decide, n = 14 (sigma/delta)² or so.
     [[nodiscard]] TiltedLaw without_bounds(double smaller_delta_over_sigma, std::uint64_t least_samples) const;
     /// A test of "the mean is `reference`" within delta at the level in use.
     [[nodiscard]] MeanTest test(double reference) const;
@@ -53,7 +53,7 @@ TiltedLaw bernoulli(double p);
 TiltedLaw normal();
 TiltedLaw exponential();
 TiltedLaw lognormal(double s);  ///< exp(s Z)
-/// Uniform in [0, 1), but brighter by 4 … 8 with probability 1/50: skewness 6.
+/// A value uniform in [0, 1), but larger by 4 … 8 with probability 1/50: skewness 6.
 TiltedLaw spikes();
 
 struct SimulatedRun {
@@ -62,7 +62,8 @@ struct SimulatedRun {
 };
 
 /// Feeds a test with samples of the law tilted by one of `thetas`, chosen at random, until it decides or `cap` samples
-/// are used. The weight is against the mixture of all tilts (the balance heuristic), so no single tilt can spoil it.
+/// are used. The weight is against the mixture of all tilts (the balance heuristic), so that no single tilt can spoil
+/// it.
 template <class Test>
 SimulatedRun simulate(Test test, const TiltedLaw& law, const std::vector<double>& thetas, std::uint64_t cap,
                       RandomStream& random) {

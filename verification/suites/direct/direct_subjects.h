@@ -8,15 +8,15 @@
 
 namespace plumb::suites {
 
-// What the claims direct/* share: scenes built from a few shapes, paths through a given film point, and an integrator
-// put together from the library's parts, so that mutants replace one of them.
+// The claims direct/* share what follows: scenes built from a few shapes, paths through a given film point, and an
+// integrator assembled from the library's parts, so that mutants replace one of them.
 
-/// The film point is given, all other numbers are those of `rest`.
+/// Primary samples in which the film point is given and all other numbers are those of `rest`.
 class AtFilmPoint final : public PrimarySamples {
 public:
     AtFilmPoint(const Scene& scene, const Point<2>& film, PrimarySamples& rest);
     Drawn at(Slot slot) override { return slot.use == Use::film ? film_ : rest_.at(slot); }
-    /// The pixel that the film point lies in: the region to trace with these numbers.
+    /// The pixel that the film point lies in, which is the region to trace with these numbers.
     [[nodiscard]] const FilmRegion& pixel() const { return pixel_; }
 
 private:
@@ -25,7 +25,7 @@ private:
     PrimarySamples& rest_;
 };
 
-/// The mean of n paths through a film point, or of a whole region where there is none, their numbers Owen-scrambled;
+/// The mean of n paths through a film point, or of a whole region where there is none, with Owen-scrambled numbers;
 /// contributions of more edges than `edges` are left out.
 struct Measurement {
     const Scene& scene;
@@ -38,7 +38,7 @@ struct Measurement {
     [[nodiscard]] Spectrum draw(RandomStream& random) const;
 };
 
-/// Direct illumination whose reflected light is given.
+/// Direct illumination with a given estimate of reflected light.
 struct DirectBy final : PathEstimator {
     ReflectedLight reflected;
     explicit DirectBy(ReflectedLight r) : reflected(std::move(r)) {}
@@ -46,7 +46,7 @@ struct DirectBy final : PathEstimator {
                PathRecord& record) const override;
 };
 
-/// An estimator all of whose values are multiplied.
+/// An estimator with all values of another, multiplied by a factor.
 struct Scaled final : PathEstimator {
     std::shared_ptr<const PathEstimator> estimator;
     double factor;
@@ -55,7 +55,7 @@ struct Scaled final : PathEstimator {
                PathRecord& record) const override;
 };
 
-/// The choice by power, whose samples are changed, and not its density.
+/// The choice by power with changed samples, but its own density.
 struct ChangedChoice final : LightChoice {
     using Change = void (*)(SceneLightSample& light, const SurfacePoint& from);
     Change change;
@@ -66,7 +66,7 @@ struct ChangedChoice final : LightChoice {
 };
 NextEvent with_changed_lights(ChangedChoice::Change change);
 NextEvent with_weight(MisWeight weight);
-/// The weight of a technique that counts in full beside all others.
+/// The weight that lets a technique count in full beside all others.
 double in_full(std::span<const double> densities, std::size_t own);
 
 // ---- scenes from a few shapes
@@ -75,13 +75,14 @@ description::MaterialId add_material(description::Scene& scene,
                                      decltype(description::Material::kind) kind = description::Diffuse{
                                          Spectrum::grey(1)});
 
-/// A convex polygon, its outside where the corners turn counterclockwise; it shines where it has a radiance.
+/// Adds a convex polygon, its outside where the corners turn counterclockwise; it shines where it has a radiance.
 void add_polygon(description::Scene& scene, const std::vector<Vec3>& corners, description::MaterialId material,
                  std::optional<Spectrum> radiance = {});
 void add_shape(description::Scene& scene, decltype(description::Shape::geometry) geometry,
                description::MaterialId material, std::optional<Spectrum> radiance = {});
 
-/// A rectangle around a point, `half` in its smaller half side, on whose edges and diagonal the point does not lie.
+/// Adds a rectangle around a point, `half` in its smaller half side, on whose edges and diagonal the point does not
+/// lie.
 void add_receiver(description::Scene& scene, Vec3 point, Vec3 normal, description::MaterialId material,
                   double half = 0.04);
 

@@ -11,14 +11,15 @@
 
 namespace plumb::suites {
 
-/// Where a map from the unit square leads, in space or on the sphere, and the density that it states there.
+/// The point to which a map takes a point of the unit square, in space or on the sphere, and the density that it states
+/// there.
 struct Mapped {
     Vec3 place;
     double pdf;
 };
 using SquareMap = std::function<std::optional<Mapped>(const Point<2>& u)>;
 
-/// |∂x/∂u0 × ∂x/∂u1| by differences of fourth order: the area that the map gives to a unit of the square.
+/// The area |∂x/∂u0 × ∂x/∂u1| that the map gives to a unit of the square, by differences of fourth order.
 inline double area_scale(const SquareMap& map, const Point<2>& u) {
     constexpr double h = 1e-5;
     const auto derivative = [&](std::size_t axis) {
@@ -33,8 +34,8 @@ inline double area_scale(const SquareMap& map, const Point<2>& u) {
     return length(cross(derivative(0), derivative(1)));
 }
 
-/// pdf · area_scale = 1 at 200 places, spread by the powers of the plastic number [Roberts 2018]; places where the map
-/// is empty are passed over.
+/// The verdict that pdf · area_scale = 1 at 200 places, spread by the powers of the plastic number [Roberts 2018];
+/// places where the map is empty are passed over.
 inline Verdict pdf_is_jacobian(const SquareMap& map) {
     std::vector<BoundedCase> cases;
     for (int i = 1; i <= 200; ++i) {

@@ -32,10 +32,10 @@ struct Light {
     [[nodiscard]] Light with_wrong_pdf() const;
 };
 
-/// One of each kind. All but the point are seen from the origin.
+/// One light of each kind. All but the point are seen from the origin.
 std::vector<Light> lights();
 
-/// The environment map among them: 8 × 4 pixels, turned.
+/// The environment map among them, of 8 × 4 pixels, turned by environment_frame().
 const EnvironmentMap& environment_map();
 const Frame& environment_frame();
 

@@ -10,15 +10,15 @@
 
 namespace plumb::suites {
 
-// Subjects of the claims about MIS: the library's weights and contributions, and mutants of them, over double or a
-// rational type.
+// The claims about MIS have these subjects: the library's weights and contributions, and mutants of them, over double
+// or a rational type.
 //
 // Weights that sum to 1 keep the mean, whatever counts they were computed from: weights from the wrong counts are no
 // defect of the expectation, but of the definition and of the variance, and are mutants there. In the short form of the
 // balance heuristic, f / Σ n_k p_k, the same mistake is a bias.
 
-/// What a sample of technique i adds, w f / (n_i p_i), from f, the counts and the densities: the library's, or a
-/// mutant's.
+/// The value w f / (n_i p_i) that a sample of technique i adds, from f, the counts and the densities: the library's, or
+/// a mutant's.
 template <class T>
 using Contribution = std::function<T(std::size_t i, const T& f, std::span<const T> counts, std::span<const T> pdfs)>;
 template <class T>
@@ -50,7 +50,7 @@ Verdict all_of_each(Verdict (*check)(const Subject&), const std::vector<Subject>
 
 // ---- mutants of the weights
 
-/// The heuristic's values, divided by the sum of n p instead of their own.
+/// The weights that divide the heuristic's values by the sum of n p instead of by their own.
 template <class T, class Heuristic>
 Weights<T> over_the_balance_sum(Heuristic heuristic) {
     return [heuristic](std::span<const T> n, std::span<const T> p) {
@@ -78,7 +78,7 @@ Contribution<T> with_weights(Weights<T> weights) {
     };
 }
 
-/// f / Σ n_k p_k with the counts in the order of another list of techniques.
+/// The short form f / Σ n_k p_k with the counts in the order of another list of techniques.
 template <class T>
 T short_form_with_reversed_counts(std::size_t, const T& f, std::span<const T> n, std::span<const T> p) {
     T sum = 0;
@@ -92,7 +92,7 @@ T without_c(std::size_t i, const T& f, std::span<const T> c, std::span<const T> 
     return mis_contribution<T>(i, f, Balance{}, c, p) * c[i];
 }
 
-/// The techniques that can sample the point share it equally, whatever their densities.
+/// Equal weights for the techniques that can sample the point, whatever their densities.
 template <class T>
 Weights<T> plain_average() {
     return [](std::span<const T> n, std::span<const T> p) {

@@ -6,8 +6,8 @@
 
 namespace plumb::suites {
 
-// What the claims shift/* share: pixels of small scenes to shift between, the numbers that lead `path` along a shifted
-// path, and mappings with a defect.
+// The claims shift/* share what follows: pixels of small scenes to shift between, the numbers that lead `path` along a
+// shifted path, and mappings with a defect.
 
 /// Two pixels of a scene.
 struct PixelPair {
@@ -56,7 +56,7 @@ Verdict nearly_all_agree(const std::vector<std::pair<std::string, std::vector<do
 /// A shift for a path tracer, so that a claim can put others in its place.
 using MakeShift = std::function<std::unique_ptr<PathShift>(const PathTracer& tracer)>;
 std::unique_ptr<PathShift> hybrid(const PathTracer& tracer);
-/// With another density in the Jacobian, at the connection or behind it.
+/// The hybrid shift with another density in the Jacobian, at the connection or behind it.
 MakeShift hybrid_by(ConnectionDensity density, ConnectionDensity beyond = density_beyond);
 /// Connects wherever the base does, even where the shifted path would be connected earlier.
 std::unique_ptr<PathShift> asymmetric(const PathTracer& tracer);

@@ -4,7 +4,8 @@
 
 namespace plumb::suites {
 
-// Defects that a surface of any model can have, as renderers have had them: each makes a wrong model of a right one.
+// Defects that a surface of any model can have, as renderers have had them: each makes a wrong model out of a right
+// one.
 
 /// A surface on trial.
 struct SurfaceSubject {
@@ -23,7 +24,8 @@ struct NamedDefect {
 /// The model with a change to every sample that it makes.
 checks::BsdfSubject with_samples(const SurfaceSubject& s,
                                  const std::function<void(BsdfSample&, Vec3 wo, Transport)>& change);
-/// Radiance and importance weights and values, each times a factor of the sides: eta is that of the crossing.
+/// The model with the weights and values of radiance and importance multiplied by a factor of the sides: eta is that of
+/// the crossing.
 checks::BsdfSubject scaled(const SurfaceSubject& s,
                            const std::function<double(double eta, bool crosses, Transport)>& factor);
 
@@ -35,11 +37,12 @@ checks::BsdfSubject transmission_doubled(const SurfaceSubject& s);
 checks::BsdfSubject weight_without_share(const SurfaceSubject& s);
 checks::BsdfSubject chosen_too_often(const SurfaceSubject& s);
 
-/// Of every surface that scatters smoothly; `energy_factor` makes it brighter than its energy's claim allows.
+/// The defects that every smoothly scattering surface can have; `energy_factor` makes it brighter than its energy's
+/// claim allows.
 std::vector<NamedDefect> common_defects(double energy_factor);
-/// The same where lobes overlap: there pdf() can be known too small only.
+/// The same defects for surfaces whose lobes overlap, where pdf() can only be known to be too small.
 std::vector<NamedDefect> defects_of_mixtures(double energy_factor);
-/// Of mirrors and smooth interfaces.
+/// The defects that mirrors and smooth interfaces can have.
 std::vector<NamedDefect> discrete_defects();
 
 }  // namespace plumb::suites

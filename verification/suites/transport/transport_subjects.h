@@ -7,10 +7,10 @@
 
 namespace plumb::suites {
 
-// What the claims of light and bidirectional tracing share: small scenes, and the mean of a film region.
+// The claims of light and bidirectional tracing share what follows: small scenes, and the mean of a film region.
 
-/// The mean luminance of a region by n paths, their numbers Owen-scrambled; of paths of one length, or of all but one
-/// edge: what is seen directly, every integrator finds alike.
+/// The mean luminance of a region by n paths with Owen-scrambled numbers, of paths of one length, or of all but those
+/// of one edge: every integrator finds alike what is seen directly.
 struct RegionMean {
     const Scene& scene;
     const PathEstimator& estimator;
@@ -22,18 +22,18 @@ struct RegionMean {
 };
 FilmRegion whole_film(const Scene& scene);
 
-/// Weights that are wrong: by the density of the next vertex in place of the connected one's; by connections to mirrors
+/// Wrong weights: by the density of the next vertex in place of the connected one's, and with connections to mirrors
 /// that count as if they could be made.
 double weight_of_wrong_vertex(const PathChain& chain, int t);
 double weight_with_mirrors_connected(const PathChain& chain, int t);
 
-/// Inside of a diffuse sphere of radius 2 and albedo ½ that emits ½, or is lit by a point of intensity 4π at its
+/// The inside of a diffuse sphere of radius 2 and albedo ½ that emits ½, or is lit by a point of intensity 4π at its
 /// centre: paths of k edges bring 2^-k, or 2^(1-k) without those of one edge. The camera is off the centre.
 const Scene& glowing_sphere();
 const Scene& sphere_around_point();
 
-/// Diffuse and lit by a rectangle: walls that touch, and a block. Through a lens; pixels by a Gaussian that reaches out
-/// of the film.
+/// A diffuse room lit by a rectangle: walls that touch, and a block. It is seen through a lens, with pixels by a
+/// Gaussian that reaches beyond the film.
 const Scene& box_scene();
 /// Rough metal, rough glass, a rough coat and a floor, under a constant sky, with a point light.
 const Scene& rough_scene();
