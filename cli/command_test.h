@@ -11,7 +11,7 @@
 
 namespace plumb::cli {
 
-/// What the program said when it was called in a folder of the test's own.
+/// The output of the program when it was called in a folder of the test's own.
 struct Said {
     int exit_code = -1;
     std::string out, error;
@@ -19,7 +19,7 @@ struct Said {
 
 class CommandTest : public testing::Test {
 protected:
-    /// `arguments` as one types them in a shell.
+    /// Runs the program with `arguments` as one types them in a shell.
     Said plumb(const std::string& arguments) const {
         const std::string command =
             "cd '" + folder.path().string() + "' && '" PLUMB_PROGRAM "' " + arguments + " >.out 2>.err";
@@ -30,7 +30,7 @@ protected:
     void write(const std::string& name, const std::string& text) const { write_file(folder / name, text); }
     [[nodiscard]] std::string read(const std::string& name) const { return read_file(folder / name); }
 
-    /// The one line of an input error, after which nothing but it and the test's own files may be there.
+    /// The one line of an input error; nothing but it and the test's own files may be there afterwards.
     std::string complaint(const std::string& arguments) const {
         const std::size_t before = files();
         const Said said = plumb(arguments);

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-// Options that several verbs have.
+// Several verbs have these options.
 namespace plumb::cli {
 
 /// Turns the Error of a parser (values.h) into CLI11's, which names the option.
@@ -38,13 +38,13 @@ const CLI::Validator& probability();
 void add_seed(CLI::App& verb, std::optional<std::uint64_t>& seed);
 void add_seed_and_threads(CLI::App& verb, std::optional<std::uint64_t>& seed, int& threads);
 
-/// --cache, the folder of references.
+/// Adds --cache, the folder of references.
 void add_cache(CLI::App& verb, std::string& cache);
 
-/// --domain, both ends of each axis; none: the unit cube.
+/// Adds --domain, both ends of each axis; without it, the unit cube.
 void add_domain(CLI::App& verb, std::vector<double>& domain);
 
-/// An option that is a share of something, as "1%" or 0.01.
+/// Adds an option for a share of something, as "1%" or 0.01.
 void add_share(CLI::App& verb, const std::string& name, double& share, const std::string& about);
 
 }  // namespace plumb::cli

@@ -8,7 +8,7 @@ namespace plumb {
 /// codes. Bad input ends in one line on standard error and exit code 2.
 int run_program(int argc, char** argv, const Catalogue& catalogue);
 
-/// Yours to define when you link plumb::main, whose main() runs the program over the claims that you add here.
+/// Adds claims to the program of plumb::main. Whoever links plumb::main defines this function.
 void register_claims(Catalogue& catalogue);
 
 }  // namespace plumb

@@ -12,10 +12,10 @@
 
 namespace plumb::cli {
 
-/// Colour and width as standard output allows.
+/// The colour and width that standard output allows.
 reports::TableStyle terminal_style();
 
-/// Rewrites one line of standard error when that is a terminal, and is silent otherwise.
+/// A line of standard error that is rewritten where that is a terminal; it is silent otherwise.
 class ProgressLine {
 public:
     ProgressLine();
@@ -29,11 +29,12 @@ private:
     bool terminal_;
 };
 
-/// Throws Error for the first file that cannot be written: before the work, not after it. An empty name is no file.
+/// Throws Error for the first file that cannot be written, before the work instead of after it. An empty name is no
+/// file.
 void require_writable(const std::vector<std::string>& files);
 
-/// What verbs that draw random numbers have in common: a run with its seed (a new one when none is given), threads (the
-/// hardware's when 0) and seconds, and a line of progress.
+/// The things that verbs which draw random numbers have in common: a run with its seed (a new one when none is given),
+/// threads (the hardware's when 0) and seconds, and a line of progress.
 class Session {
 public:
     Session(std::optional<std::uint64_t> seed, int threads);

@@ -2,8 +2,8 @@
 
 namespace plumb::cli {
 
-/// While it lives, the first SIGINT or SIGTERM is only noted; the second ends the program at once. A signal that was
-/// ignored when the program started (nohup, a job in the background) stays ignored.
+/// A guard that only notes the first SIGINT or SIGTERM while it lives; the second ends the program at once. A signal
+/// that was ignored when the program started (nohup, a job in the background) stays ignored.
 class StopSignal {
 public:
     StopSignal();
@@ -11,7 +11,7 @@ public:
     StopSignal(const StopSignal&) = delete;
     StopSignal& operator=(const StopSignal&) = delete;
 
-    /// The signal that came, 0 for none.
+    /// The signal that came; 0 for none.
     [[nodiscard]] static int caught();
 };
 

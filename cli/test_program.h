@@ -47,7 +47,7 @@ public:
     Program& operator=(const Program&) = delete;
 
     void send(int signal) const { ::kill(process_, signal); }
-    /// The exit code; −signal when a signal ended it.
+    /// Waits for the end. Returns the exit code, or −signal when a signal ended the program.
     int wait() {
         int status = 0;
         if (!ended_ && ::waitpid(process_, &status, 0) == process_) {

@@ -5,20 +5,21 @@
 #include <utility>
 #include <vector>
 
-// What options say, read from text. Each throws Error, which names the text and what is accepted.
+// Each of these functions reads what an option says from text. It throws Error, which names the text and what is
+// accepted.
 namespace plumb::cli {
 
-/// "90", "90s", "1.5m", "2h".
+/// A duration: "90", "90s", "1.5m", "2h".
 std::chrono::duration<double> parse_duration(const std::string& text);
-/// "s,t": vertices from the light and from the sensor, s >= 0, t >= 1 and not both ends alone.
+/// A strategy "s,t": vertices from the light and from the sensor, s >= 0, t >= 1 and not both ends alone.
 std::vector<int> parse_strategy(const std::string& text);
-/// "x,y,width,height" in pixels.
+/// A crop "x,y,width,height" in pixels.
 std::vector<int> parse_crop(const std::string& text);
-/// "3", or "all" as 0.
+/// A number of edges, "3", or "all" as 0.
 int parse_edges(const std::string& text);
-/// "name=value".
+/// A definition "name=value".
 std::pair<std::string, std::string> parse_definition(const std::string& text);
-/// "0,1" or "0,2,-1,1": both ends of each axis.
+/// A domain "0,1" or "0,2,-1,1": both ends of each axis.
 std::vector<double> parse_domain(const std::string& text);
 
 }  // namespace plumb::cli

@@ -15,8 +15,8 @@ class Catalogue;
 
 namespace plumb::cli {
 
-/// What a verb does once its options are read: it works, prints to standard output and returns the program's exit code.
-/// The catalogue is the program's. Throws Error.
+/// The action of a verb once its options are read: it works, prints to standard output and returns the program's exit
+/// code. The catalogue is the program's. Throws Error.
 using Action = std::function<int(const Catalogue&)>;
 
 /// A word of the command line: one file in verbs/, and its name in one of the lists of CMakeLists.txt.
@@ -24,7 +24,8 @@ struct Verb {
     std::string name, about;
     /// Describes the verb's options to CLI11; the action owns the values that they are read into.
     Action (*add)(CLI::App& verb);
-    /// What a complaint of CLI11 does not say, e.g. why two options exclude each other; empty where it says all.
+    /// The part that a complaint of CLI11 lacks, e.g. why two options exclude each other; empty where nothing is
+    /// missing.
     std::string (*reason)(const CLI::ParseError& error) = nullptr;
 };
 

@@ -9,8 +9,8 @@
 
 namespace plumb {
 
-/// Error against work for one estimator on one integrand at these counts. The random numbers are a function of the
-/// run's seed, the two names and n alone.
+/// Measures error against work for one estimator on one integrand at these counts. The random numbers are a function of
+/// the run's seed, the two names and n alone.
 template <int D>
 Series measure_series(const Estimator<D>& estimator, const Integrand<D>& integrand, const std::vector<std::uint64_t>& n,
                       std::uint64_t replicates, const Run& run);

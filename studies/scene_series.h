@@ -9,7 +9,7 @@
 
 namespace plumb {
 
-/// Which integrators are measured, and against what.
+/// The integrators that are measured, and the truth that they are measured against.
 struct SceneMeasure {
     std::vector<std::string> estimators;  ///< INTEGRATOR or INTEGRATOR+SAMPLER
     std::vector<std::uint64_t> n;

@@ -13,8 +13,8 @@
 
 #include <toml++/toml.h>
 
-// Reading TOML with complaints that name file, line, key, what was found and what is accepted. For the sources of this
-// folder.
+// These functions read TOML with complaints that name file, line, key, what was found and what is accepted. This header
+// is for the sources of this folder.
 namespace plumb {
 
 /// A value as a complaint quotes it.
@@ -47,7 +47,7 @@ public:
         throw Error(fmt::format("{}:{}: {}: {}", file_, line, path(key), message));
     }
 
-    /// What `read` makes of the key's node; an Error of its own is placed.
+    /// The value that `read` makes of the key's node; its own Errors get the place.
     template <class Read>
     auto read(std::string_view key, const Read& read) const {
         const toml::node* const node = table_.get(key);
@@ -76,7 +76,7 @@ public:
         });
     }
 
-    /// One value or a list of them, at least one; `convert` may throw Error.
+    /// The values of a key, one or a list of them, at least one; `convert` may throw Error.
     template <class T, class Convert>
     auto list(std::string_view key, const char* accepted, const Convert& convert) const {
         return read(key, [&](const toml::node& node) {

@@ -12,7 +12,7 @@
 
 namespace plumb {
 
-/// How much work a replicate may take: counts of samples, or of evaluations of the integrand (then each estimator gets
+/// The work that a replicate may take: counts of samples, or of evaluations of the integrand (then each estimator gets
 /// the largest n that stays within).
 struct Budget {
     enum class Unit { samples, evaluations } unit = Unit::samples;
@@ -27,7 +27,7 @@ struct FigurePlan {
     std::uint64_t replicates = 1000;
 };
 
-/// What a study compares: the value of its file (docs/studies.md).
+/// The subjects of a study and what it compares: the value of its file (docs/studies.md).
 struct Study {
     reports::StudyText about;
     std::optional<std::uint64_t> seed;

@@ -15,8 +15,8 @@ struct BsdfSubject {
     std::function<double(Vec3 wo)> discrete;
 };
 
-// The conventions of scenes/bsdfs/bsdf_model.h; the transport argument may be left out by a model without transmission,
-// discrete by any.
+// The concepts of a model on trial follow scenes/bsdfs/bsdf_model.h; a model without transmission may leave out the
+// transport argument, and any model may leave out discrete.
 template <class Model>
 concept EvaluatesByTransport = requires(const Model& model, Vec3 wo, Vec3 wi, Transport transport) {
     { model.eval(wo, wi, transport) } -> std::convertible_to<Spectrum>;
@@ -39,7 +39,8 @@ concept Samples = SamplesByTransport<Model> || requires(const Model& model, Vec3
     { model.sample(wo, u) } -> std::convertible_to<std::optional<BsdfSample>>;
 };
 
-/// Any type with eval, pdf and sample. It is copied, and its functions are called from several threads.
+/// The subject that a model of any type with eval, pdf and sample is. The model is copied, and its functions are called
+/// from several threads.
 template <class Model>
 BsdfSubject subject_of(const Model& model) {
     static_assert(Evaluates<Model>, "needs: Spectrum eval(Vec3 wo, Vec3 wi) const, or (wo, wi, Transport)");

@@ -11,20 +11,21 @@
 
 namespace plumb::checks {
 
-/// What the checks must know of a model.
+/// The properties of a model that the checks must know.
 struct BsdfTraits {
     double roughness = 1;   ///< of its narrowest smooth lobe, as Beckmann's or Trowbridge's alpha in [1e-6, 1]
     double eta = 1;         ///< index inside over index outside, where it refracts
     bool lossless = false;  ///< all that arrives from above leaves again
 };
 
-// Each holds, or is refuted, at every one of check_directions(). "Bounded" ones state their bound in the reason.
+// Each of these verdicts covers every one of check_directions(). "Bounded" ones state their bound in the reason.
 
-/// eval(), pdf() and what sample() gives are finite and not negative, directions have unit length, eval() is 0 where
-/// pdf() is, and sample() scatters where pdf() says so. Undecided for a model that never scatters.
+/// The values are sound: eval(), pdf() and what sample() gives are finite and not negative, directions have unit
+/// length, eval() is 0 where pdf() is, and sample() scatters where pdf() says so. Undecided for a model that never
+/// scatters.
 Verdict values_are_sound(const BsdfSubject& bsdf, const Run& run);
 
-/// Does sample() follow pdf()? One chi-square over all directions at once, in cells of about equal mass that follow the
+/// sample() follows pdf(): one chi-square over all directions at once, in cells of about equal mass that follow the
 /// lobes; discrete and lost samples are cells.
 Verdict samples_follow_pdf(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
 /// pdf() is 1/Jacobian of sample() by differences, times the lobe's share of u[0]; where two smooth lobes overlap, at
@@ -38,8 +39,8 @@ Verdict masses_match(const BsdfSubject& bsdf, const BsdfTraits& traits);
 Verdict is_reciprocal(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
 /// A sample's radiance weight is its importance weight divided by eta² of the sides, eta as the traits say.
 Verdict radiance_scales_by_eta_squared(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
-/// The albedo for importance is at most 1, and exactly 1 from above where the model is lossless; of a coloured model
-/// the largest lane counts at each direction. tolerance: of that equality.
+/// The albedo for importance is at most 1, and exactly 1, within the tolerance, from above where the model is lossless.
+/// For a coloured model the largest lane counts at each direction.
 Verdict conserves_energy(const BsdfSubject& bsdf, const BsdfTraits& traits, double tolerance = 1e-3);
 
 struct NamedVerdict {
@@ -48,12 +49,12 @@ struct NamedVerdict {
 };
 std::ostream& operator<<(std::ostream& out, const NamedVerdict& named);  ///< "property: " and describe(verdict)
 
-/// Everything above: the properties values, sample, pdf, weight, mass, reciprocity, eta-squared and energy. Where the
-/// values are refuted, the others are not tried, and are undecided.
+/// The verdicts on all of these properties: values, sample, pdf, weight, mass, reciprocity, eta-squared and energy.
+/// Where the values are refuted, the others are not tried, and are undecided.
 std::vector<NamedVerdict> check_bsdf(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
 
-/// The same for any type with eval, pdf and sample under the conventions of scenes/bsdfs/bsdf_model.h. A true model is
-/// refuted with probability at most run.alpha().
+/// The same verdicts for any type with eval, pdf and sample under the conventions of scenes/bsdfs/bsdf_model.h. A true
+/// model is refuted with probability at most run.alpha().
 template <class Model>
 requires(!std::same_as<Model, BsdfSubject>) std::vector<NamedVerdict> check_bsdf(
     const Model& model, const BsdfTraits& traits = {}, const Run& run = Run(1, "check_bsdf", 1e-4)) {

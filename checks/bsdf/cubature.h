@@ -15,8 +15,8 @@ struct Cubature {
     double error = 0;  ///< of the total: the sum of differences between a rule of degree 7 and one of degree 5
 };
 
-/// Integrals of f(x, y) over every rectangle, refined where the rules of degree 7 and 5 [Genz & Malik 1983] differ most
-/// until the error is below the tolerance or `evaluations` are spent.
+/// The integrals of f(x, y) over every rectangle, refined where the rules of degree 7 and 5 [Genz & Malik 1983] differ
+/// most, until the error is below the tolerance or `evaluations` are spent.
 Cubature integrate(const std::function<double(double, double)>& f, const std::vector<Rectangle>& rectangles,
                    double tolerance, std::size_t evaluations);
 

@@ -7,12 +7,13 @@
 
 namespace plumb::checks {
 
-/// The sphere of directions in rectangles of (polar angle, azimuth from the plane of incidence) that grow by factors of
-/// 4 with their distance from where a lobe of the given roughness may peak: the mirrored direction, the refracted one,
-/// the horizon and the poles.
+/// The sphere of directions, divided into rectangles of (polar angle, azimuth from the plane of incidence) that grow by
+/// factors of 4 with their distance from where a lobe of the given roughness may peak: the mirrored direction, the
+/// refracted one, the horizon and the poles.
 class SphereGrid {
 public:
-    /// roughness in [1e-6, 1], eta: index inside over index outside, > 0. Throws Error on others.
+    /// The grid for a roughness in [1e-6, 1] and the index inside over the index outside, eta > 0. Throws Error for
+    /// others.
     SphereGrid(Vec3 wo, double roughness, double eta);
 
     [[nodiscard]] const std::vector<Rectangle>& rectangles() const { return rectangles_; }

@@ -9,7 +9,8 @@
 
 namespace plumb::checks {
 
-/// A density as the probabilities of cells that do not overlap: intervals, or rectangles. Outside of them it is zero.
+/// A density given by the probabilities of cells that do not overlap: intervals, or rectangles. It is zero outside of
+/// them.
 struct CellDensity {
     struct Cell {
         Interval x, y;  ///< y says nothing in one dimension; ends may be infinite
@@ -24,11 +25,12 @@ struct CellDensity {
     [[nodiscard]] std::size_t cell_of(const Point<2>& point) const;
 };
 
-/// By name: uniform, linear:A,B, exponential:RATE, uniform-2d, bilinear:A,B,C,D (estimators/densities/density.h,
-/// density_2d.h say what they are); anything else is the name of a CSV file (docs/embedding.md). Throws Error.
+/// The density of a name: uniform, linear:A,B, exponential:RATE, uniform-2d, bilinear:A,B,C,D
+/// (estimators/densities/density.h, density_2d.h say what they are); anything else is the name of a CSV file
+/// (docs/embedding.md). Throws Error.
 CellDensity read_density(const std::string& text);
 
-/// The table as the file has it; `name` is for messages.
+/// The density of a table's text; `name` names it in messages.
 CellDensity parse_density_table(std::string_view text, const std::string& name);
 
 }  // namespace plumb::checks

@@ -13,7 +13,7 @@ namespace plumb::cli {
 /// What `list` can show: a name and its rows.
 using Lists = std::map<std::string, std::function<std::vector<reports::ListRow>()>>;
 
-/// Claims and mutants of the catalogue, which must outlive the lists.
+/// The lists of claims and mutants of the catalogue, which must outlive them.
 Lists catalogue_lists(const Catalogue& catalogue);
 
 /// The options of a verb that shows these lists; `names` says in its help what there is.

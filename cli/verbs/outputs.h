@@ -11,7 +11,7 @@ class App;
 
 namespace plumb::cli {
 
-/// Where verdicts go: an empty name writes no such file.
+/// The files that verdicts go to: an empty name writes no such file.
 struct Outputs {
     std::string json, junit, report = "out/report.html", store = "out/results.db";
 };

@@ -7,7 +7,7 @@
 
 namespace plumb::reports {
 
-/// A comparison with what was compared.
+/// A comparison together with what was compared.
 struct ComparisonReport {
     std::vector<std::string> files_a, files_b;
     const Picture &a, &b;
@@ -15,10 +15,11 @@ struct ComparisonReport {
     const ImageComparison& found;
 };
 
-/// What `plumb compare --json` writes (docs/json.md): everything but the pixels.
+/// The JSON that `plumb compare --json` writes (docs/json.md): everything but the pixels.
 std::string comparison_json(const ComparisonReport& report);
 
-/// The comparison as one HTML page that needs nothing else: both pictures as floats, what they differ by and where.
+/// The comparison as one HTML page that needs nothing else: both pictures as floats, and how much and where they
+/// differ.
 std::string comparison_html(const ComparisonReport& report);
 
 }  // namespace plumb::reports

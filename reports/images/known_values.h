@@ -18,10 +18,10 @@ struct ValuesReport {
     const ValuesCheck& check;
 };
 
-/// What `plumb check --json` writes (docs/json.md).
+/// The JSON that `plumb check --json` writes (docs/json.md).
 std::string values_json(const ValuesReport& report);
 
-/// A line for each value.
+/// The check as text, a line for each value.
 std::string values_table(const ValuesReport& report, const TableStyle& style = {});
 
 }  // namespace plumb::reports

@@ -10,13 +10,13 @@
 #include "core/file.h"
 #include "core/test_folder.h"
 
-// For tests of this folder: pages in a browser.
+// Tests of this folder open pages in a browser by what follows.
 namespace plumb::reports {
 
-/// What a page and its browser said.
+/// The outcome of a visit to a page: its document afterwards, and what the browser said.
 struct Browsed {
     std::string dom, messages;
-    /// An attribute data-WHAT of <body>.
+    /// The value of the attribute data-WHAT of <body>.
     [[nodiscard]] std::string saw(const std::string& what) const {
         const std::size_t body = dom.find("<body"), end = dom.find('>', body);
         const std::string mark = " data-" + what + "=\"";

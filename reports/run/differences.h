@@ -21,7 +21,7 @@ struct Differences {
     [[nodiscard]] bool empty() const;
 };
 
-/// What changed from `before` to `after`, in the order of `after` (removed things in the order of `before`).
+/// The changes from `before` to `after`, in the order of `after` (removed things in the order of `before`).
 Differences diff_runs(const Results& before, const Results& after);
 
 }  // namespace plumb::reports

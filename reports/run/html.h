@@ -13,10 +13,11 @@ namespace plumb::reports {
 /// out. With `against`, an earlier run, a section lists what changed since.
 std::string report_html(const Results& results, const std::optional<Results>& against = {});
 
-/// The same as a file, replaced as a whole or not at all; throws Error naming it when it cannot be written.
+/// Writes the report to a file, which is replaced as a whole or not at all; throws Error naming it when it cannot be
+/// written.
 void write_report(const Results& results, const std::optional<Results>& against, const std::filesystem::path& file);
 
-/// The page of `plumb converge`: convergence and work–precision only.
+/// Writes the page of `plumb converge`: convergence and work–precision only.
 void write_converge_report(const RunInfo& run, std::span<const Series> series, const std::filesystem::path& file);
 
 }  // namespace plumb::reports

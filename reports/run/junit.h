@@ -6,9 +6,9 @@
 
 namespace plumb::reports {
 
-/// JUnit XML as CI servers read it: a test suite for each group of claims (the first part of the id), a test case for
-/// each claim and each mutant. A claim that is refuted and a mutant that its claim lets live are failures; undecided is
-/// an error, because the program's exit code is not 0 then.
+/// The run as JUnit XML, which CI servers read: a test suite for each group of claims (the first part of the id), a
+/// test case for each claim and each mutant. A claim that is refuted and a mutant that its claim lets live are
+/// failures; undecided is an error, because the program's exit code is not 0 then.
 std::string junit_xml(const Results& results);
 
 }  // namespace plumb::reports

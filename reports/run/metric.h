@@ -20,9 +20,9 @@ struct WorkAxis {
 std::span<const WorkAxis> work_axes();  ///< in the order of the enumeration
 
 std::string to_string(Work work);
-/// What the axis counts; evaluations go by their unit where a subject has one of its own ("rays" of a scene).
+/// The label of the axis; evaluations go by their unit where a subject has one of its own ("rays" of a scene).
 std::string label(Work work, std::string_view unit = {});
-/// Throws Error naming the nearest one.
+/// The axis of this name; throws Error naming the nearest one.
 Work work_from(std::string_view name);
 double work_of(const ConvergencePoint& point, Work work);
 
@@ -57,7 +57,7 @@ double exponent(Metric metric, double of_mse);
 
 /// Whether the interval of the fitted slope meets what theory expects; empty where nothing is expected or fitted.
 std::optional<bool> meets_expectation(const Series& series);
-/// "−3", "−4 to −3"; "–" where nothing is expected.
+/// The expected slope as text, "−3" or "−4 to −3"; "–" where nothing is expected.
 std::string expected_text(const Series& series);
 
 }  // namespace plumb::reports

@@ -7,8 +7,8 @@
 
 namespace plumb::reports {
 
-/// What the page's script reads: {"results": as to_json(), "against": null or {run, differences}}, on one line and
-/// fit to stand inside a <script> element. The seed is a string: JavaScript's numbers end at 2^53.
+/// The data that the page's script reads: {"results": as to_json(), "against": null or {run, differences}}, on one line
+/// and fit to stand inside a <script> element. The seed is a string: JavaScript's numbers end at 2^53.
 std::string page_data(const Results& results, const std::optional<Results>& against);
 
 }  // namespace plumb::reports

@@ -5,12 +5,12 @@
 #include "reports/run/json_document.h"
 #include "reports/run/metric.h"
 
-// What the page is given of series beside the JSON of a run, so that it computes no number itself.
+// The page is given this of series beside the JSON of a run, so that it computes no number itself.
 namespace plumb::reports {
 
-/// Adds to the JSON of a series what each metric says at each of its points, as [value, low, high] under the metric's
-/// name ("efficiency/seconds" where the cost counts), and whether its slope meets the expected one. A metric that needs
-/// a truth which is not known is left out.
+/// Adds to the JSON of a series the value of each metric at each of its points, as [value, low, high] under the
+/// metric's name ("efficiency/seconds" where the cost counts), and whether its slope meets the expected one. A metric
+/// that needs a truth which is not known is left out.
 void add_metrics(json_values::Json& json, const Series& series,
                  double truth = std::numeric_limits<double>::quiet_NaN());
 

@@ -9,7 +9,7 @@
 
 namespace plumb::reports {
 
-/// A run that is stored, and what of it is still to be judged.
+/// A run that is stored, with what is still to be judged.
 struct RunPlan {
     RunInfo run;
     std::int64_t number = 0;  ///< in the store
@@ -19,16 +19,16 @@ struct RunPlan {
 
 Size size_of(const RunInfo& run);
 
-/// Begins a run in the store: of what its patterns select (all when there is none), its shard. The run says seed,
-/// alpha, size and shard; the rest is filled in. Throws Error.
+/// Begins a run in the store, of the shard of what its patterns select (everything when there is none). The run says
+/// seed, alpha, size and shard; the rest is filled in. Throws Error.
 RunPlan begin_run(const Catalogue& catalogue, RunInfo run, const std::vector<std::string>& patterns,
                   const std::string& store);
 
-/// What is left of the newest unfinished run of the store. Throws Error where there is none, or where another version
+/// The remainder of the newest unfinished run of the store. Throws Error where there is none, or where another version
 /// of Plumb or other claims began it.
 RunPlan unfinished_run(const Catalogue& catalogue, const std::string& store);
 
-/// Verdicts as a run's results have them.
+/// The verdicts as a run's results have them.
 Results results_of(std::vector<Judged> judged, const Catalogue& catalogue, const RunInfo& run);
 
 }  // namespace plumb::reports

@@ -10,7 +10,7 @@
 
 namespace plumb::reports {
 
-/// What a run was asked for and how long it took. `started` and `seconds` are side records: no verdict depends on them.
+/// The settings of a run and how long it took. `started` and `seconds` are side records: no verdict depends on them.
 struct RunInfo {
     std::uint64_t seed = 0;
     double alpha = std::numeric_limits<double>::quiet_NaN();  ///< the false-alarm budget; NaN where nothing was decided
@@ -60,7 +60,7 @@ struct Results {
     std::vector<Series> series = {};  ///< convergence that belongs to no claim (`plumb converge`)
 };
 
-/// The same but for what may differ between two runs of one seed: when, how long, on how many threads.
+/// The results without what may differ between two runs of one seed: when, how long, on how many threads.
 Results without_side_records(Results results);
 
 struct Tally {
@@ -69,7 +69,7 @@ struct Tally {
 };
 Tally tally(const Results& results);
 
-/// `12 hold, 0 refuted, 1 undecided; mutants: 25 of 25 refuted`
+/// The outcomes in one line: `12 hold, 0 refuted, 1 undecided; mutants: 25 of 25 refuted`.
 std::string summary_line(const Results& results);
 
 }  // namespace plumb::reports

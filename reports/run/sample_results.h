@@ -8,7 +8,7 @@ namespace plumb::reports {
 /// infinite numbers, text that HTML and JSON must escape, a confidence bound at or below zero, an error of exactly 0.
 Results sample_results();
 
-/// An earlier run: one outcome is another, one claim is missing, one was there that is gone.
+/// An earlier run: one outcome differs, one claim is missing, and one is there that is gone later.
 Results earlier_sample_results();
 
 }  // namespace plumb::reports

@@ -8,7 +8,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-// The little of SQLite that the store needs, with its errors as plumb::Error naming the file.
+// This is the little of SQLite that the store needs, with its errors as plumb::Error naming the file.
 namespace plumb::reports::sqlite {
 
 [[noreturn]] void fail(const std::filesystem::path& file, int code, const char* message);
@@ -47,12 +47,12 @@ public:
         (bind(++index, values), ...);
         return *this;
     }
-    /// False after the last row.
+    /// Goes to the next row; false after the last one.
     bool step();
 
     [[nodiscard]] const Database& database() const { return database_; }
     [[nodiscard]] std::int64_t integer(int column) const;
-    /// NULL reads as NaN, the only number that SQLite cannot hold.
+    /// The number in a column. NULL reads as NaN, the only number that SQLite cannot hold.
     [[nodiscard]] double real(int column) const;
     [[nodiscard]] std::string text(int column) const;
 
@@ -66,7 +66,7 @@ private:
     sqlite3_stmt* statement_ = nullptr;
 };
 
-/// All or nothing: what was not committed is rolled back.
+/// A transaction, all or nothing: what was not committed is rolled back.
 class Transaction {
 public:
     explicit Transaction(const Database& database);

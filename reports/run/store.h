@@ -29,7 +29,7 @@ public:
         read,    ///< the file must be there
         append,  ///< the file and its folder are made when missing
     };
-    /// `patience` is how long to wait for another process that is writing.
+    /// Opens the file; `patience` is how long to wait for another process that is writing.
     Store(const std::filesystem::path& file, Access access,
           std::chrono::milliseconds patience = std::chrono::seconds(5));
     ~Store();
@@ -40,12 +40,12 @@ public:
     /// Stores a run as it goes: it begins unfinished and with no verdicts, and returns its number; verdicts are added
     /// as they come, in any order (one that is there already is left as it is); finish() marks it as complete.
     std::int64_t begin(const RunInfo& run, const std::vector<ErratumEntry>& errata);
-    /// One transaction; `seconds` is what the run has taken so far.
+    /// Adds verdicts in one transaction; `seconds` is what the run has taken so far.
     void add(std::int64_t run, const std::vector<ClaimResult>& claims, const std::vector<MutantResult>& mutants,
              double seconds);
     void finish(std::int64_t run);
 
-    /// Throws Error for a number that is not there, naming the last one that is.
+    /// The results of a run. Throws Error for a number that is not there, naming the last one that is.
     [[nodiscard]] Results load(std::int64_t run) const;
     /// All runs, oldest first.
     [[nodiscard]] std::vector<StoredRun> runs() const;

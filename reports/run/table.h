@@ -8,8 +8,8 @@
 #include "reports/run/results.h"
 #include "reports/run/store.h"
 
-// Tables for a terminal of `width` columns; a row is never broken, what is too long ends in "…". Colour repeats what
-// words say already, and is for terminals only.
+// Tables fit a terminal of `width` columns; a row is never broken, and what is too long ends in "…". Colour repeats
+// what words say already, and is for terminals only.
 namespace plumb::reports {
 
 struct TableStyle {
@@ -17,10 +17,10 @@ struct TableStyle {
     int width = 120;
 };
 
-/// Verdicts one a line, the mutants that live, and the summary as the last line.
+/// The verdicts one a line, the mutants that live, and the summary as the last line.
 std::string verdict_table(const Results& results, const TableStyle& style = {});
 
-/// For each series: n, evaluations, seconds, MSE with its interval and bias; then the slope, fitted and expected.
+/// The series as tables: n, evaluations, seconds, MSE with its interval and bias; then the slope, fitted and expected.
 std::string converge_table(std::span<const Series> series, const TableStyle& style = {});
 
 std::string differences_table(const Differences& differences, const TableStyle& style = {});

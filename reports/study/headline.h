@@ -9,17 +9,17 @@
 
 namespace plumb::reports {
 
-/// How a statement of a source stands to what was measured. `undecided`: the interval of what was measured reaches
-/// across an end of what is stated.
+/// The relation of a statement of a source to what was measured. `undecided` means that the measured interval reaches
+/// across an end of the stated one.
 enum class HeadlineOutcome { met, not_met, undecided, not_comparable };
-/// "met", "not met", "undecided" or "not comparable".
+/// The outcome in words: "met", "not met", "undecided" or "not comparable".
 std::string to_string(HeadlineOutcome outcome);
 
-/// The confidence of the intervals that headlines are decided by: of forty true statements at the edge of their bounds,
-/// one run in fifty gets one wrong (docs/studies.md).
+/// The confidence of the intervals that headlines are decided by: with forty true statements at the edge of their
+/// bounds, one run in fifty gets one wrong (docs/studies.md).
 constexpr double headline_level = 0.999;
 
-/// What is left when a measured interval is laid into a stated one.
+/// The outcome for a stated and a measured interval.
 HeadlineOutcome outcome_of(const Interval& stated, const Interval& measured);
 
 /// A statement of a source beside what was measured of it.
@@ -37,17 +37,17 @@ struct Headline {
     std::string remark = {};  ///< what else there is to say, from the study's file; may be empty
 };
 
-/// "[−4.3, −3.7]", "at most 1", "at least 0.001"; "–" when it says nothing.
+/// The bound as text: "[−4.3, −3.7]", "at most 1", "at least 0.001"; "–" when it says nothing.
 std::string bound_text(const Interval& stated);
-/// "−3.98 [−4.01, −3.95]"; "–" for NaN.
+/// The measured number as text: "−3.98 [−4.01, −3.95]"; "–" for NaN.
 std::string measured_text(const Headline& headline);
-/// "3 met, 1 not met, 1 undecided, 2 not comparable"
+/// The outcomes in one line: "3 met, 1 not met, 1 undecided, 2 not comparable".
 std::string headline_summary(const std::vector<Headline>& headlines);
 
-/// A line for each headline, then the summary; nothing when there are none.
+/// The headlines as text, a line for each, then the summary; nothing when there are none.
 std::string headline_table(const std::vector<Headline>& headlines, const TableStyle& style = {});
-/// Its rows: source, place, states, figure, measure, stated_low, stated_high, measured, low, high, outcome, reason,
-/// remark. RFC 4180; what is unknown or unbounded is an empty cell.
+/// The headlines as CSV with the columns source, place, states, figure, measure, stated_low, stated_high, measured,
+/// low, high, outcome, reason, remark. RFC 4180; what is unknown or unbounded is an empty cell.
 std::string headline_csv(const std::vector<Headline>& headlines);
 
 }  // namespace plumb::reports

@@ -6,14 +6,14 @@
 
 namespace plumb::reports {
 
-/// A logarithmic axis of a plot: from positive values to places.
+/// A logarithmic axis of a plot, which maps positive values to places.
 struct LogAxis {
     double low = 0, high = 1;  ///< logarithms of the domain's ends
     double from = 0, to = 1;   ///< places of these
     double operator()(double x) const { return from + (std::log(x) - low) / (high - low) * (to - from); }
 };
 
-/// Over these positive values and a little more; over [1, e] where there are none.
+/// The axis over these positive values and a little more; over [1, e] where there are none.
 LogAxis axis_over(const std::vector<double>& values, double from, double to);
 
 struct Tick {
@@ -21,7 +21,8 @@ struct Tick {
     std::string text;
 };
 
-/// At most about `most` powers of ten, or of two; 1, 2 and 5 times powers of ten where fewer than two powers would do.
+/// The ticks of an axis: at most about `most` powers of ten, or of two; 1, 2 and 5 times powers of ten where fewer than
+/// two powers would do.
 std::vector<Tick> ticks(const LogAxis& axis, bool powers_of_two, int most);
 
 }  // namespace plumb::reports

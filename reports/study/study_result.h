@@ -9,7 +9,7 @@
 
 namespace plumb::reports {
 
-/// What a figure of a study shows and how; as its file states it (docs/studies.md).
+/// The text of a study's figure: what it shows and how, as the study's file states it (docs/studies.md).
 struct FigureText {
     std::string id = {};                ///< lower-case letters, digits and hyphens: part of file names
     std::string title = {}, text = {};  ///< what is shown and what to look at
@@ -45,8 +45,9 @@ struct StudyResult {
     std::vector<Headline> headlines = {};
 };
 
-/// Which colour and symbol each estimator has in all figures of a study: a number that no other has, and, while the
-/// colours suffice, a colour (the number modulo theirs) that no other has in the same figure.
+/// The style of an estimator, which gives it one colour and symbol in all figures of a study: a number that no other
+/// estimator has, and, while the colours suffice, a colour (the number modulo theirs) that no other has in the same
+/// figure.
 struct EstimatorStyle {
     std::string estimator;
     std::size_t style = 0;

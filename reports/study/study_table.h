@@ -7,8 +7,8 @@
 
 namespace plumb::reports {
 
-/// A line for each series of each figure: the error at the largest n, and the slope of log MSE on log n, fitted and
-/// expected.
+/// The study as text, a line for each series of each figure: the error at the largest n, and the slope of log MSE on
+/// log n, fitted and expected.
 std::string study_table(const StudyResult& study, const TableStyle& style = {});
 
 }  // namespace plumb::reports

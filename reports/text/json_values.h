@@ -21,12 +21,12 @@ inline Json interval(const Interval& i) {
     return {{"low", number(i.low)}, {"high", number(i.high)}};
 }
 
-/// The text of a value; a byte that is not UTF-8 (a name from outside, say) is replaced: writing must not fail on it.
+/// The JSON as text; a byte that is not UTF-8 (in a name from outside, say) is replaced: writing must not fail on it.
 inline std::string text_of(const Json& json, int indent = -1) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-/// On one line; '<' occurs in strings only, so that no "</script" or "<!--" can end the element.
+/// The JSON on one line; '<' occurs in strings only, so that no "</script" or "<!--" can end the element.
 inline std::string for_script(const Json& json) {
     std::string text;
     for (const char c : text_of(json)) {

@@ -10,17 +10,17 @@
 // Numbers as a person reads them, and columns of text.
 namespace plumb::reports {
 
-/// How many columns UTF-8 text takes (one a code point; we write no wide or combining characters).
+/// The number of columns that UTF-8 text takes (one a code point; we write no wide or combining characters).
 std::size_t columns_of(std::string_view text);
 
-/// At most `width` columns, the last of them "…" when something had to go.
+/// The text in at most `width` columns, the last of them "…" when something had to go.
 std::string shortened(std::string_view text, std::size_t width);
 
-/// Three significant digits; "–" for NaN.
+/// The number with three significant digits; "–" for NaN.
 std::string readable(double x);
-/// 1234567 as "1.23M"
+/// The count in short: 1234567 is "1.23M".
 std::string readable_count(std::uint64_t count);
-/// "1.2e-05 ± 3.4e-06"; one-sided as "≤ 3e-05"; "–" when it says nothing.
+/// The interval as "1.2e-05 ± 3.4e-06"; one-sided as "≤ 3e-05"; "–" when it says nothing.
 std::string readable(const Interval& interval);
 
 enum class Align { left, right };

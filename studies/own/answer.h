@@ -10,7 +10,7 @@
 
 namespace plumb::own {
 
-/// One integral as `plumb integrate` tells it.
+/// The answer of `plumb integrate` for one integral.
 struct Answer {
     std::string integrand, method;
     Estimate estimate = {};             ///< evaluations: those of the answer alone
@@ -22,8 +22,8 @@ struct Answer {
     std::optional<Series> series = {};
 };
 
-/// Error against n for sets of independent runs. Without an exact value the error of a run is its spread about the
-/// runs' own mean (a variance, which sees no bias), and the name says so.
+/// The series of error against n, from sets of independent runs. Without an exact value the error of a run is its
+/// spread about the runs' own mean (a variance, which sees no bias), and the name says so.
 Series series_of(const std::vector<Runs>& sets, const Answer& answer);
 
 /// The answer for a person: value and error, what they are from, and what they leave out.

@@ -8,7 +8,8 @@
 
 namespace plumb::own {
 
-/// The integrals of a task, one of each integrand that it names; on the threads that for_batches may use. Throws Error.
+/// The integrals of a task, one of each integrand that it names, computed on the threads that for_batches may use.
+/// Throws Error.
 std::vector<Answer> integrate(const IntegralTask& task, std::uint64_t seed);
 
 }  // namespace plumb::own

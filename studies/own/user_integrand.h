@@ -23,7 +23,7 @@ struct IntegralTask {
     std::optional<std::string> channel, lookup;
 };
 
-/// What a person may ask to integrate.
+/// The kinds of input that a person may ask to integrate.
 enum class InputKind { formula, shipped, image, samples };
 InputKind kind_of(const std::string& what);
 
