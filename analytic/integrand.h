@@ -12,8 +12,8 @@
 
 namespace plumb {
 
-/// How smooth an integrand is inside the cube, and (second use) as a function on the torus, where 0 ≡ 1.
-/// From it and the method follow the expected slopes (docs/statistics.md, "Rates").
+/// The smoothness of an integrand inside the cube, and (second use) as a function on the torus, where 0 ≡ 1. The
+/// expected slopes follow from it and the method (docs/statistics.md, "Rates").
 enum class Smoothness {
     analytic,  ///< all derivatives continuous
     kink,      ///< continuous, first derivative jumps

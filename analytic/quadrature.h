@@ -13,7 +13,7 @@ namespace plumb {
 enum class Quadrature { gauss_legendre, tanh_sinh };
 std::string to_string(Quadrature method);
 
-/// How far an integrand's stated answers are from a quadrature of the formula of its id.
+/// The distance of an integrand's stated answers from a quadrature of the formula of its id.
 struct QuadratureError {
     std::string id;
     double integral;  ///< |stated − found| / √E f²; over |integral| where the variance is stated to be infinite

@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// How large a standard error may be: absolute, or relative to the value.
+/// The largest standard error that is asked for: absolute, or relative to the value.
 struct ErrorTarget {
     double error = 0;
     bool relative = false;
@@ -17,7 +17,7 @@ struct ErrorTarget {
     }
 };
 
-/// "1e-3" (absolute) or "1%" (relative); throws Error unless it is finite and above 0.
+/// The target "1e-3" (absolute) or "1%" (relative); throws Error unless it is finite and above 0.
 ErrorTarget parse_error_target(const std::string& text);
 
 }  // namespace plumb

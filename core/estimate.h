@@ -5,9 +5,9 @@
 
 namespace plumb {
 
-/// What an estimator returns: a value never travels without its error.
-/// standard_error is infinite where the method cannot know it (one stratified, quasi-random or Voronoi set has no
-/// independent replicates); evaluations counts calls of the integrand, end-point evaluations included.
+/// The answer of an estimator: a value never travels without its error. standard_error is infinite where the method
+/// cannot know it (one stratified, quasi-random or Voronoi set has no independent replicates); evaluations counts calls
+/// of the integrand, end-point evaluations included.
 struct Estimate {
     double value = 0;
     double standard_error = std::numeric_limits<double>::infinity();

@@ -7,8 +7,8 @@
 
 namespace plumb {
 
-/// Has `write` write a file beside this one and renames it: readers see the old file or the new one, never half of it,
-/// and no two writers meet, whether threads or processes. `write` gets a name with the file's extension and returns
+/// Lets `write` write a file beside this one, then renames it: readers see the old file or the new one, never half of
+/// it, and no two writers meet, whether threads or processes. `write` gets a name with the file's extension and returns
 /// what went wrong, or nothing. Missing folders are made, symbolic links kept; a device or a pipe is written where it
 /// stands. Throws Error naming the file when it cannot be written; what stood aside is removed.
 void write_aside(const std::filesystem::path& file,

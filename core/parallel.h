@@ -13,7 +13,7 @@ void for_batches(std::size_t count, const std::function<void(std::size_t)>& body
 /// Runs body with for_batches limited to that many threads (≥ 1).
 void with_threads(int threads, const std::function<void()>& body);
 
-/// How many threads the hardware offers.
+/// The number of threads that the hardware offers.
 int hardware_threads();
 
 }  // namespace plumb

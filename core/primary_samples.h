@@ -25,8 +25,9 @@ enum class Use : std::uint8_t {
 };
 constexpr std::size_t use_count = static_cast<std::size_t>(Use::visibility) + 1;
 
-/// Which pair: the path's vertex (the sensor is 0; light subpaths count from 0x8000), what for, and for which sample,
-/// where the vertex takes several. Four bytes, so that it goes in a register: `path` draws some ten a vertex.
+/// The address of a pair: the path's vertex (the sensor is 0; light subpaths count from 0x8000), its use, and the
+/// sample that it is for, where the vertex takes several. Four bytes, so that it goes in a register: `path` draws some
+/// ten a vertex.
 struct Slot {
     std::uint16_t vertex = 0;
     Use use = Use::film;
@@ -34,7 +35,7 @@ struct Slot {
     friend auto operator<=>(const Slot&, const Slot&) = default;
 };
 
-/// Which sample of which vertex: 0 is the only one, or the path's own.
+/// The number of a sample at a vertex: 0 is the only one, or the path's own.
 struct SampleIndex {
     std::uint16_t vertex;
     std::uint8_t sample = 0;
@@ -54,14 +55,14 @@ struct Drawn {
     double density = 1;
 };
 
-/// 16 bytes that replay a whole path.
+/// The 16 bytes that replay a whole path.
 struct PathKey {
     std::uint64_t seed = 0;
     std::uint32_t pixel = 0, sample = 0;
     friend bool operator==(const PathKey&, const PathKey&) = default;
 };
 
-/// Where an integrator takes a path's random numbers from.
+/// The source from which an integrator takes a path's random numbers.
 struct PrimarySamples {
     virtual ~PrimarySamples() = default;
     /// The numbers of the slot: the same however often and in whatever order they are asked for.
@@ -78,9 +79,9 @@ public:
         density_ *= drawn.density;
         return drawn.u;
     }
-    /// Of what was drawn so far: what depends on all of it, and on nothing else, is divided by it.
+    /// The density of what was drawn so far: what depends on all of it, and on nothing else, is divided by it.
     [[nodiscard]] double density() const { return density_; }
-    /// For what one vertex draws beside the path, and nothing behind it depends on: its density counts from here.
+    /// The draws of one vertex beside the path, on which nothing behind it depends: their density counts from here.
     [[nodiscard]] Draws branch() const { return Draws(*samples_); }
 
 private:

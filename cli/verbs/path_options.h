@@ -16,7 +16,7 @@ class App;
 
 namespace plumb::cli {
 
-/// Which paths of which scene.
+/// A scene, and which of its paths are made.
 struct PathOptions {
     std::string scene;  ///< a file, or the name of a shipped one
     std::string integrator = "direct", driver = "pixels", sampler = "independent";

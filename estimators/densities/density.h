@@ -14,14 +14,14 @@ namespace plumb {
 //   pdf(x)     is that density, 0 outside [0,1];
 //   invert(x)  is the u that sample() maps to x: the CDF.
 
-/// pdf 1.
+/// The uniform density, 1.
 struct UniformDensity {
     [[nodiscard]] double sample(double u) const { return u; }
     [[nodiscard]] double pdf(double x) const { return 0 <= x && x <= 1 ? 1 : 0; }
     [[nodiscard]] double invert(double x) const { return std::clamp(x, 0.0, 1.0); }
 };
 
-/// Proportional to the line from `at_0` to `at_1`, both ≥ 0 and not both 0.
+/// The density proportional to the line from `at_0` to `at_1`, both ≥ 0 and not both 0.
 class LinearDensity {
 public:
     LinearDensity(double at_0, double at_1) {
@@ -49,7 +49,7 @@ private:
     double a_, b_;  // the density at 0 and 1
 };
 
-/// λ e^(−λx) / (1 − e^(−λ)) on [0,1]; λ < 0 rises, λ = 0 is uniform, |λ| ≤ 700.
+/// The density λ e^(−λx) / (1 − e^(−λ)) on [0,1]; λ < 0 rises, λ = 0 is uniform, |λ| ≤ 700.
 class TruncatedExponential {
 public:
     explicit TruncatedExponential(double rate) : rate_(rate), scale_(std::expm1(-rate)) {

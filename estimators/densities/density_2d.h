@@ -9,7 +9,7 @@ namespace plumb {
 
 // Densities on the unit square, with the same three functions as in density.h, on points.
 
-/// p(x, y) = p_x(x) p_y(y).
+/// The product density p(x, y) = p_x(x) p_y(y).
 template <class X, class Y>
 struct ProductDensity {
     X x;
@@ -20,8 +20,8 @@ struct ProductDensity {
     [[nodiscard]] Point<2> invert(const Point<2>& p) const { return {x.invert(p[0]), y.invert(p[1])}; }
 };
 
-/// Proportional to the bilinear interpolation of four values ≥ 0 at the corners: the marginal of x is linear between
-/// the sums of the two sides, and y given x is linear between the interpolated ends.
+/// The density proportional to the bilinear interpolation of four values ≥ 0 at the corners: the marginal of x is
+/// linear between the sums of the two sides, and y given x is linear between the interpolated ends.
 class BilinearDensity {
 public:
     /// at_10 is the value at x = 1, y = 0.

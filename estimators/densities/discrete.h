@@ -47,7 +47,7 @@ inline double uniform_below(double bound, RandomStream& random) {
     return bound * random.uniform();
 }
 
-/// By inversion of the CDF: O(log n) a sample.
+/// A discrete distribution sampled by inversion of the CDF: O(log n) a sample.
 template <class Weight>
 class DiscreteCdf {
 public:

@@ -18,7 +18,7 @@ namespace plumb {
 // a function of r_i = n_i p_i / max_k n_k p_k in [0, 1]; the weights are its values, divided by their sum. T is double,
 // or a rational type for exact weights.
 
-/// w_i ∝ n_i p_i [Veach 1997, eq. 9.8].
+/// The balance heuristic w_i ∝ n_i p_i [Veach 1997, eq. 9.8].
 struct Balance {
     template <class T>
     T operator()(const T& r) const {
@@ -26,7 +26,7 @@ struct Balance {
     }
 };
 
-/// w_i ∝ (n_i p_i)^β [Veach 1997, eq. 9.13]. With a rational type β is an integer.
+/// The power heuristic w_i ∝ (n_i p_i)^β [Veach 1997, eq. 9.13]. With a rational type β is an integer.
 class Power {
 public:
     explicit Power(double beta = 2) : beta_(beta) {
@@ -49,7 +49,8 @@ private:
     double beta_;
 };
 
-/// All weight to the largest n_i p_i [Veach 1997, eq. 9.14]; those that share it share the weight.
+/// The maximum heuristic: all weight to the largest n_i p_i [Veach 1997, eq. 9.14]; those that share it share the
+/// weight.
 struct Maximum {
     template <class T>
     T operator()(const T& r) const {
@@ -57,7 +58,8 @@ struct Maximum {
     }
 };
 
-/// The balance heuristic among those with n_i p_i ≥ α max_k n_k p_k, the others get nothing [Veach 1997, eq. 9.12].
+/// The cutoff heuristic: the balance heuristic among those with n_i p_i ≥ α max_k n_k p_k, the others get nothing
+/// [Veach 1997, eq. 9.12].
 class Cutoff {
 public:
     explicit Cutoff(double alpha) : alpha_(alpha) {

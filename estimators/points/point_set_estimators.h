@@ -11,7 +11,7 @@ namespace plumb {
 template <int D>
 Estimator<D> mean_estimator(const PointSet<D>& set);
 
-/// One for each of point_sets_1d() and point_sets_2d().
+/// The estimators of all sets: one for each of point_sets_1d() and point_sets_2d().
 std::vector<Estimator<1>> point_set_estimators_1d();
 std::vector<Estimator<2>> point_set_estimators_2d();
 

@@ -39,7 +39,7 @@ double cell_weight_2d(std::uint64_t n, const Point<2>& x, const BallMeasure& bal
 class CellWeightTable2D {
 public:
     CellWeightTable2D(std::uint64_t n, const BallMeasure& ball, int nodes = 13);
-    /// For uniform samples.
+    /// The table for uniform samples.
     explicit CellWeightTable2D(std::uint64_t n, int nodes = 25);
 
     [[nodiscard]] double operator()(Point<2> x) const;

@@ -9,8 +9,9 @@
 
 namespace plumb {
 
-/// How many of n samples each piece gets: about n times its mass, by largest remainders, at least one each (so at least
-/// `pieces` in all). A function of n alone: counts drawn at random would leave pieces empty and lose their integral.
+/// The number of n samples that each piece gets: about n times its mass, by largest remainders, at least one each (so
+/// at least `pieces` in all). It is a function of n alone: counts drawn at random would leave pieces empty and lose
+/// their integral.
 std::vector<std::uint64_t> stratum_counts(const StepDensity& density, std::uint64_t n);
 
 /// Samples of a piecewise-constant density, each piece reweighted by itself as [0,1] is by |V|/g with its own count

@@ -16,17 +16,17 @@ template <int D>
 struct SampleWeighting {
     std::string id;
     std::string known;  ///< what is known about the estimate, and for which samples
-    /// In the order of the samples; throws Error for samples outside the cube and for none.
+    /// The weights in the order of the samples; throws Error for samples outside the cube and for none.
     std::function<std::vector<double>(std::span<const Point<D>>)> weights;
 };
 
 template <int D>
 const std::vector<SampleWeighting<D>>& sample_weightings();
-/// Throws Error naming the nearest one.
+/// The weighting of this name; throws Error naming the nearest one.
 template <int D>
 const SampleWeighting<D>& find_sample_weighting(std::string_view id);
 
-/// How many samples lie where an earlier one lies; on the torus 0 and 1 are one place.
+/// The number of samples that lie where an earlier one lies; on the torus 0 and 1 are one place.
 template <int D>
 std::size_t repeated_places(std::vector<Point<D>> samples, bool torus);
 

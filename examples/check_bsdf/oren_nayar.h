@@ -29,7 +29,7 @@ struct OrenNayar {
         return {albedo.r * shape, albedo.g * shape, albedo.b * shape};
     }
 
-    /// Per steradian, of what sample() chooses.
+    /// The density of what sample() chooses, per steradian.
     [[nodiscard]] double pdf(Direction wo, Direction wi) const {
         return wo.z > 0 && wi.z > 0 ? wi.z / std::numbers::pi : 0;
     }

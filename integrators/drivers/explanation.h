@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// How one sample of a render came about, and what it adds to the picture.
+/// The story of one sample of a render: how it came about, and what it adds to the picture.
 struct Explanation {
     PathKey key;
     CameraStart start = {};

@@ -33,7 +33,7 @@ enum class ShiftFailure : std::uint8_t {
 constexpr std::size_t shift_failures = 9;
 std::string to_string(ShiftFailure failure);
 
-/// How a part was shifted.
+/// The outcome of the shift of a part.
 struct ShiftedPart {
     double jacobian = 1;  ///< |∂T/∂x| of primary samples; nothing where it failed
     ShiftFailure failure = ShiftFailure::none;

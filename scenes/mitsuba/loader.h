@@ -61,7 +61,7 @@ public:
         loader_.replaced(element_.place, std::move(text), error);
     }
 
-    /// To be called when all has been read: what nobody asked for is an Error, or a note where it only advises.
+    /// Ends the reading: a value that nobody asked for is an Error, or a note where it only advises.
     void finish(bool advisory = false);
 
 private:

@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// How a scene's file is read.
+/// The options with which a scene's file is read.
 struct LoadOptions {
     Definitions definitions = {};  ///< values for $name, before the file's <default>
     bool lenient = false;          ///< replace what we lack where a replacement exists, and list it in Scene::notes
