@@ -10,7 +10,7 @@ using description::Wrap;
 
 const Texels four{2, 2, {1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4}};
 
-TEST(Texture, IsItsTexelsAtTheirCenters) {
+TEST(Texture, IsItsTexelsAtTheirCentres) {
     EXPECT_DOUBLE_EQ(bilinear(four, Wrap::repeat, 0.25, 0.25)[0], 1);
     EXPECT_DOUBLE_EQ(bilinear(four, Wrap::repeat, 0.75, 0.25)[0], 2);
     EXPECT_DOUBLE_EQ(bilinear(four, Wrap::repeat, 0.25, 0.75)[0], 3);  // v grows downwards

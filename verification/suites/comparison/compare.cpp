@@ -196,13 +196,14 @@ void add_comparison_compare(Catalogue& catalogue) {
     std::vector<Spoiled> spoiled = spoiled_by_hand();
     for (Spoiled& render : spoiled_renders()) spoiled.push_back(std::move(render));
     const Pair honest = against([](std::uint64_t seed) { return render()(seed); });
-    catalogue.add({.id = "render/compare/spoiled",
-                   .statement = "Two honest renders are found equal; a spoiled one is refuted, and where it is.",
-                   .source = "ours, docs/compare.md",
-                   .kind = Kind::mean,
-                   .trial = {[](const Compared& subject, const Run& run) { return comparison_shows(subject, run); },
-                             {honest},
-                             std::move(spoiled)}});
+    catalogue.add(
+        {.id = "render/compare/spoiled",
+         .statement = "Two honest renders are found equal; a spoiled one is refuted, at the place of the defect.",
+         .source = "ours, docs/compare.md",
+         .kind = Kind::mean,
+         .trial = {[](const Compared& subject, const Run& run) { return comparison_shows(subject, run); },
+                   {honest},
+                   std::move(spoiled)}});
     catalogue.add(
         {.id = "render/compare/honest",
          .statement = "200 pairs of honest renders with skewed noise and fireflies are not refuted.",

@@ -268,7 +268,7 @@ void add_comparison_renders(Catalogue& catalogue) {
     };
     catalogue.add({.id = "render/compare/renderers",
                    .statement = "Two renders of a scene are found equal; one by a renderer with a defect is refuted, "
-                                "and where it is.",
+                                "at the place of the defect.",
                    .source = "ours, docs/compare.md",
                    .kind = Kind::mean,
                    .trial = {comparison_of_renders_shows, {against(honest, honest)}, std::move(spoiled)}});

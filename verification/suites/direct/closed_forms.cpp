@@ -286,12 +286,13 @@ void add_direct_closed_forms(Catalogue& catalogue) {
                            sphere_cases,
                            {"area-measure", "frame-of-the-world"}});
     add_family(catalogue, {"disk", "the closed form under 6 disks", "ours, analytic/irradiance.cpp", disk_cases});
-    add_family(catalogue, {"form-factor",
-                           "over a whole plate, the form factor of two plates and, but for samples of lights, of a "
-                           "box's walls",
-                           "[Howell, C-11, C-14]",
-                           form_factor_cases,
-                           {"counted-twice", "frame-of-the-world"}});
+    add_family(catalogue,
+               {"form-factor",
+                "the form factor of two plates over a whole plate and, except for samples of lights, that of "
+                "a box's walls",
+                "[Howell, C-11, C-14]",
+                form_factor_cases,
+                {"counted-twice", "frame-of-the-world"}});
 }
 
 }  // namespace plumb::suites

@@ -103,7 +103,7 @@ void add_direct_known(Catalogue& catalogue) {
         const Wrong<Estimator> fog{"fog", "2.5e-3 is added everywhere.", std::make_shared<Foggy>()};
         catalogue.add(
             {.id = fmt::format("direct/{}/known", shipped.name),
-             .statement = fmt::format("Direct light in the scene {} is {} {} that its expected.json knows.",
+             .statement = fmt::format("Direct light in the scene {} has the {} {} that its expected.json knows.",
                                       shipped.name, count, count == 1 ? "radiance" : "radiances"),
              .source = fmt::format("scenes/shipped/{}/expected.json", shipped.name),
              .kind = Kind::mean,

@@ -275,7 +275,8 @@ void add_constant(Catalogue& catalogue) {
         if (std::holds_alternative<BoxFilter>(filter)) wrong.pop_back();  // its weight is 1 everywhere
         catalogue.add({
             .id = fmt::format("direct/constant/{}", name),
-            .statement = fmt::format("A white sphere under a white sky gives a picture of ones, film filter {}.", name),
+            .statement =
+                fmt::format("A white sphere under a white sky gives a picture of ones with the film filter {}.", name),
             .source = "ours, scenes/film/filters.h",
             .kind = Kind::bounded,
             .trial = {[filter = filter](const Estimator& estimator, const Run& run) {

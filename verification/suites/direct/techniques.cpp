@@ -67,7 +67,7 @@ const std::vector<View>& views() {
          0.02,
          64},
         {"studio-bsdf",
-         "the picture of a studio with three lights, a lace and a sky",
+         "all of a studio with three lights, a lace and a sky",
          studio,
          {},
          {0, 0, 8, 6},
@@ -219,8 +219,8 @@ void add_direct_techniques(Catalogue& catalogue) {
     for (const View& view : views())
         catalogue.add(
             {.id = "direct/techniques/" + view.id,
-             .statement = fmt::format("Of {}, samples of {} and both techniques, weighted, find the same.", view.title,
-                                      view.against == bsdf_alone ? "the BSDF" : "lights"),
+             .statement = fmt::format("Samples of {} and both techniques, weighted, find the same light on {}.",
+                                      view.against == bsdf_alone ? "the BSDF" : "lights", view.title),
              .source = "[Veach & Guibas 1995]",
              .kind = Kind::mean,
              .trial = {[=](const Estimator& estimator, const Run& run) { return agree(view, *estimator, run); },

@@ -161,7 +161,7 @@ void add_masks(Catalogue& catalogue) {
     solid.visibility = std::make_shared<Solid>();
     const NextEvent right;
     catalogue.add({.id = "direct/mask/shadow-ray",
-                   .statement = "Of the light of a point, masks of opacities o and o' let (1 − o)(1 − o') through.",
+                   .statement = "Masks of opacities o and o' let (1 − o)(1 − o') of a point's light through.",
                    .source = "docs/scenes.md",
                    .kind = Kind::mean,
                    .trial = {share_of_point,
@@ -169,14 +169,15 @@ void add_masks(Catalogue& catalogue) {
                              {{"no-shadow-ray", "Nothing hides the light.", {opacity, no_masks}},
                               {"solid", "A mask hides as a surface does.", {opacity, solid}},
                               {"inverted", "What is let through is o, not 1 − o.", {1 - opacity, right}}}}});
-    catalogue.add({.id = "direct/mask/camera-ray",
-                   .statement = "Through masks of opacities o and o', (1 − o)(1 − o') of a light is seen.",
-                   .source = "docs/scenes.md",
-                   .kind = Kind::mean,
-                   .trial = {share_of_camera_rays,
-                             opacity,
-                             {{"inverted", "What is let through is o, not 1 − o.", 1 - opacity},
-                              {"slightly-thin", "The first mask's opacity is 0.29 instead of 0.3.", 0.29}}}});
+    catalogue.add(
+        {.id = "direct/mask/camera-ray",
+         .statement = "A light behind masks of opacities o and o' is seen with (1 − o)(1 − o') of its radiance.",
+         .source = "docs/scenes.md",
+         .kind = Kind::mean,
+         .trial = {share_of_camera_rays,
+                   opacity,
+                   {{"inverted", "What is let through is o, not 1 − o.", 1 - opacity},
+                    {"slightly-thin", "The first mask's opacity is 0.29 instead of 0.3.", 0.29}}}});
 }
 
 }  // namespace

@@ -123,8 +123,8 @@ void add_one(Catalogue& catalogue, const Light& light) {
          .kind = Kind::bounded,
          .trial = {direction_is_jacobian, light, {{"uniform", "The density of a uniform hemisphere.", uniform}}}});
     catalogue.add({.id = id + "/ray-pdf",
-                   .statement = "A ray of " + light.title +
-                                " is known again with its densities; times its weight they are radiance and cosine.",
+                   .statement = "The densities of a ray of " + light.title +
+                                " are found again from the ray; times its weight they are radiance and cosine.",
                    .source = source,
                    .kind = Kind::bounded,
                    .trial = {pdf_and_weight_agree,

@@ -22,7 +22,7 @@ struct Starts {
     std::function<Ray(const SurfacePoint&, const SurfacePoint&)> connects = connect;
 };
 
-/// A closed convex surface of size 1 about a center, from random numbers.
+/// A closed convex surface of size 1 about a centre, from random numbers.
 using Closed = std::function<Shape(Vec3 center, RandomStream&)>;
 
 Shape shape_of(auto geometry) {
@@ -349,16 +349,17 @@ void add_plates(Catalogue& catalogue) {
                     {"fixed-epsilon",
                      "a ray starts 1e-4 along the normal from the point",
                      {.leaves = fixed_epsilon(1e-4)}}}}});
-    catalogue.add({.id = "mesh/plates/gap",
-                   .statement =
-                       "What leaves a plate of side 1 meets the plate 1e-3 away, up to 2^12 sizes from the world's "
-                       "origin.",
-                   .source = source,
-                   .kind = Kind::exact,
-                   .trial = {gap,
-                             {},
-                             {{"fixed-epsilon", "a ray starts 2e-3 off the surface", {.leaves = fixed_epsilon(2e-3)}},
-                              {"no-offset", "a ray starts at the point rounded to floats", {.leaves = no_offset}}}}});
+    catalogue.add(
+        {.id = "mesh/plates/gap",
+         .statement =
+             "A ray that leaves a plate of side 1 meets the plate 1e-3 away, up to 2^12 sizes from the world's "
+             "origin.",
+         .source = source,
+         .kind = Kind::exact,
+         .trial = {gap,
+                   {},
+                   {{"fixed-epsilon", "a ray starts 2e-3 off the surface", {.leaves = fixed_epsilon(2e-3)}},
+                    {"no-offset", "a ray starts at the point rounded to floats", {.leaves = no_offset}}}}});
 }
 
 }  // namespace

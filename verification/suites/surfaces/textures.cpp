@@ -18,7 +18,7 @@ using Lookup = std::function<double(double u, double v)>;
 
 constexpr int width = 7, height = 5;
 
-/// Bilinear interpolation has it exactly, between the outermost texel centers.
+/// Bilinear interpolation has it exactly, between the outermost texel centres.
 double saddle(double u, double v) {
     return 1 + 2 * u + 3 * v - 4 * u * v;
 }
@@ -119,13 +119,13 @@ Verdict pass_alike(const Plates& plates) {
 void add_surfaces_textures(Catalogue& catalogue) {
     catalogue.add(
         {.id = "texture/bitmap/lookup",
-         .statement = "Between its texels' centers, which lie at ((i + 1/2)/width, (j + 1/2)/height), a picture of a "
+         .statement = "Between its texels' centres, which lie at ((i + 1/2)/width, (j + 1/2)/height), a picture of a "
                       "bilinear function is that function, and repeats with period 1.",
          .source = "ours, scenes/textures/texture.h",
          .kind = Kind::bounded,
          .trial = {is_saddle,
                    looked_up,
-                   {{"half-texel", "texels' corners are taken for their centers",
+                   {{"half-texel", "texels' corners are taken for their centres",
                      [](double u, double v) { return looked_up(u + 0.5 / width, v + 0.5 / height); }},
                     {"upside-down", "v grows upwards", [](double u, double v) { return looked_up(u, 1 - v); }},
                     {"nearest", "the nearest texel is taken",
@@ -133,7 +133,7 @@ void add_surfaces_textures(Catalogue& catalogue) {
                          return looked_up((std::floor(u * width) + 0.5) / width,
                                           (std::floor(v * height) + 0.5) / height);
                      }},
-                    {"stretched", "the outermost centers are laid on the picture's edges", [](double u, double v) {
+                    {"stretched", "the outermost centres are laid on the picture's edges", [](double u, double v) {
                          return looked_up((u * (width - 1) + 0.5) / width, (v * (height - 1) + 0.5) / height);
                      }}}}});
     catalogue.add(
@@ -147,22 +147,21 @@ void add_surfaces_textures(Catalogue& catalogue) {
                     {"shifted", "the pattern is shifted by half a square",
                      [](double u, double v) { return board(u + 0.25, v + 0.25); }},
                     {"large", "squares have side 1", [](double u, double v) { return board(u / 2, v / 2); }}}}});
-    catalogue.add(
-        {.id = "bsdf/mask/transmittance",
-         .statement = "Two masks of opacities a and b let through (1 − a)(1 − b), of rays and of shadow rays alike.",
-         .source = "ours, docs/scenes.md: a mask is part of visibility",
-         .kind = Kind::bounded,
-         .trial = {pass_alike,
-                   through_plates,
-                   {{"opacity-for-transparency", "a mask lets through its opacity",
-                     [](double a, double b) { return through_plates(1 - a, 1 - b); }},
-                    {"one-number-for-both", "a ray uses the same number for the second mask as for the first",
-                     [](double a, double b) {
-                         return Passed{1 - std::max(a, b), (1 - a) * (1 - b)};
-                     }},
-                    {"shadows-of-opaque", "a mask stops every shadow ray", [](double a, double b) {
-                         return Passed{(1 - a) * (1 - b), a == 0 && b == 0 ? 1. : 0.};
-                     }}}}});
+    catalogue.add({.id = "bsdf/mask/transmittance",
+                   .statement = "Two masks of opacities a and b let (1 − a)(1 − b) of rays and of shadow rays through.",
+                   .source = "ours, docs/scenes.md: a mask is part of visibility",
+                   .kind = Kind::bounded,
+                   .trial = {pass_alike,
+                             through_plates,
+                             {{"opacity-for-transparency", "a mask lets through its opacity",
+                               [](double a, double b) { return through_plates(1 - a, 1 - b); }},
+                              {"one-number-for-both", "a ray uses the same number for the second mask as for the first",
+                               [](double a, double b) {
+                                   return Passed{1 - std::max(a, b), (1 - a) * (1 - b)};
+                               }},
+                              {"shadows-of-opaque", "a mask stops every shadow ray", [](double a, double b) {
+                                   return Passed{(1 - a) * (1 - b), a == 0 && b == 0 ? 1. : 0.};
+                               }}}}});
 }
 
 }  // namespace plumb::suites

@@ -144,7 +144,7 @@ void add_choices(Catalogue& catalogue, const Integrator& integrator) {
                          Choices{std::make_shared<Misquoted>(by_side, choice_by_power())}});
     catalogue.add({
         .id = fmt::format("render/{}/light-choice/lamps", integrator.name),
-        .statement = fmt::format("By any positive choice of lights, `{}` finds the same light of two lamps and a sky.",
+        .statement = fmt::format("`{}` finds the same light of two lamps and a sky by any positive choice of lights.",
                                  integrator.name),
         .source = "[Veach & Guibas 1995]",
         .kind = Kind::mean,
