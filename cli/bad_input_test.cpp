@@ -114,7 +114,7 @@ TEST_F(BadInput, OfMerges) {
     store_a_run(folder / "one.db", 2);
     expect({{{"merge"}, "stores is required"},
             {{"merge", "none.db"}, "none.db: there is no such results store"},
-            {{"merge", "one.db"}, "missing of the run with seed 17592186044416123457: shard 2/2"}});
+            {{"merge", "one.db"}, "the run with seed 17592186044416123457 lacks shard 2/2"}});
 }
 
 TEST_F(BadInput, OfSamplers) {

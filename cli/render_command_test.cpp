@@ -77,7 +77,7 @@ TEST_F(RenderCommand, NamesPartsThatDoNotFit) {
     ASSERT_EQ(plumb(call + "--seed 7 --shard 2/2 --rr-depth 3 -o deeper.film").exit_code, 0);
     ASSERT_EQ(plumb(call + "--seed 7 -o image.exr").exit_code, 0);
     EXPECT_THAT(complaint("merge 1.film -o a.exr"), HasSubstr("part 2 of 2 is missing"));
-    EXPECT_THAT(complaint("merge 1.film 1.film -o a.exr"), HasSubstr("1.film: part 1 of 2, as 1.film"));
+    EXPECT_THAT(complaint("merge 1.film 1.film -o a.exr"), HasSubstr("1.film: part 1 of 2, as is 1.film"));
     EXPECT_THAT(complaint("merge 1.film other.film -o a.exr"), HasSubstr("plumb:seed is '8', but '7'"));
     EXPECT_THAT(complaint("merge 1.film deeper.film -o a.exr"), HasSubstr("plumb:rr_depth"));
     EXPECT_THAT(complaint("merge 1.film image.exr -o a.exr"), HasSubstr("image.exr: not a part of a film"));

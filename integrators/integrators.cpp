@@ -44,8 +44,9 @@ void check_limits(const NamedIntegrator& named, const PathLimits& limits) {
             fmt::format("a strategy of the integrator '{}'; accepted is {}", named.id, fmt::join(others, " or ")));
     }
     if (makes.longest && limits.max_edges >= 0 && limits.max_edges != *makes.longest)
-        throw Error(fmt::format("paths of up to {} edges by the integrator '{}', whose have {}; accepted are {} and -1",
-                                limits.max_edges, named.id, *makes.longest, *makes.longest));
+        throw Error(
+            fmt::format("paths of up to {} edges by the integrator '{}', whose paths have {}; accepted are {} and -1",
+                        limits.max_edges, named.id, *makes.longest, *makes.longest));
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ std::vector<KnownValue> values_of(const KnownScene& scene, const PathLength& len
              .error = known.error});
     }
     if (values.empty())
-        throw Error(fmt::format("{}: knows nothing of paths of {}; of these it does: {}", file,
+        throw Error(fmt::format("{}: has no radiance by paths of {}; known are {}", file,
                                 length ? fmt::format("up to {} edges", *length) : "any length",
                                 fmt::join(lengths, ", ")));
     return values;

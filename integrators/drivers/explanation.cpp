@@ -43,7 +43,7 @@ void check_sample(const RenderJob& job, int x, int y, std::uint32_t sample) {
 double weight_of(const RenderJob& job, int x, int y, std::uint32_t sample) {
     const auto weight = job.driver->weight(job, sample / job.settings.samples_per_pass, x, y);
     if (!weight)
-        throw Error("the driver's paths are no samples of pixels that have numbers; accepted are drivers whose are");
+        throw Error("the driver's paths are not numbered samples of pixels; accepted are drivers whose paths are");
     return *weight;
 }
 

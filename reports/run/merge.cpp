@@ -101,7 +101,7 @@ std::map<int, Part> all_parts(const std::vector<fs::path>& stores) {
     std::string missing;
     for (int shard = 1; shard <= run.shards; ++shard)
         if (!all.contains(shard)) missing += fmt::format("{}{}/{}", missing.empty() ? "" : ", ", shard, run.shards);
-    if (!missing.empty()) throw Error(fmt::format("missing of the run with seed {}: shard {}", run.seed, missing));
+    if (!missing.empty()) throw Error(fmt::format("the run with seed {} lacks shard {}", run.seed, missing));
     return all;
 }
 

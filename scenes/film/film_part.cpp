@@ -196,8 +196,8 @@ FilmPart read_film_parts(const std::vector<std::filesystem::path>& files) {
         const auto [twin, is_new] = there.try_emplace(next.part, file);
         if (whole) require_same_picture(*whole, files.front(), next, file);
         if (!is_new)
-            throw Error(
-                fmt::format("{}: part {} of {}, as {}", file.string(), next.part, next.parts, twin->second.string()));
+            throw Error(fmt::format("{}: part {} of {}, as is {}", file.string(), next.part, next.parts,
+                                    twin->second.string()));
         if (!whole) {
             whole = std::move(next);
             continue;
@@ -207,7 +207,7 @@ FilmPart read_film_parts(const std::vector<std::filesystem::path>& files) {
     }
     for (std::uint32_t part = 1; part <= whole->parts; ++part)
         if (!there.contains(part))
-            throw Error(fmt::format("part {} of {} is missing, of {}", part, whole->parts, files.front().string()));
+            throw Error(fmt::format("part {} of {} is missing beside {}", part, whole->parts, files.front().string()));
     whole->part = whole->parts = 1;
     return std::move(*whole);
 }

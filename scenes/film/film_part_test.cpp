@@ -77,7 +77,7 @@ TEST_F(FilmPartFile, NamesWhatIsWrong) {
         ASSERT_THAT(complaint({"cut"}), HasSubstr("cut: cut off or damaged")) << size;
     }
     EXPECT_THAT(complaint({"a"}), HasSubstr("part 2 of 2 is missing"));
-    EXPECT_THAT(complaint({"a", "again"}), HasSubstr("again: part 1 of 2, as "));
+    EXPECT_THAT(complaint({"a", "again"}), HasSubstr("again: part 1 of 2, as is "));
     EXPECT_THAT(complaint({"a", "other-seed"}), HasSubstr("other-seed: seed is '8', but '7' in "));
     EXPECT_THAT(complaint({"a", "other-count"}), HasSubstr("number of parts is '3', but '2'"));
 }

@@ -17,7 +17,7 @@ const XmlElement& Loader::resolve(const XmlElement& element) const {
     for (std::size_t hops = 0; target->tag == "ref"; ++hops) {
         const std::string& id = target->attribute("id");
         const auto found = named.find(id);
-        if (found == named.end()) throw element.place.error(fmt::format("<ref> to '{}', which nothing is called", id));
+        if (found == named.end()) throw element.place.error(fmt::format("<ref> to '{}', but nothing has this id", id));
         if (hops > named.size()) throw element.place.error(fmt::format("<ref> to '{}' goes round in a circle", id));
         target = found->second;
     }

@@ -117,7 +117,7 @@ TEST_F(MitsubaXml, ErrorsNameFileLineAndValue) {
         {"\n<emitter type=\"sun\"/>", "a.xml:3: unknown emitter 'sun'; there are area, constant, envmap, point"},
         {"<shape type=\"obj\"><string name=\"filename\" value=\"x.obj\"/></shape>", "a.xml:2: there is no file x.obj"},
         {"<shape type=\"obj\"/>", "a.xml:2: <shape> without a 'filename'"},
-        {"<shape type=\"cube\"><ref id=\"wood\"/></shape>", "a.xml:2: <ref> to 'wood', which nothing is called"},
+        {"<shape type=\"cube\"><ref id=\"wood\"/></shape>", "a.xml:2: <ref> to 'wood', but nothing has this id"},
         {"<bsdf type=\"twosided\" id=\"a\"><ref id=\"a\"/></bsdf>", "a.xml:2: a bsdf that contains itself"},
         {"<bsdf type=\"diffuse\" id=\"a\"/>\n<bsdf type=\"diffuse\" id=\"a\"/>",
          "a.xml:3: the id 'a' is taken by line 2"},

@@ -16,7 +16,8 @@ void require_like(const Picture& picture, const Picture& reference, const std::s
     if (picture.width != reference.width || picture.height != reference.height)
         throw Error(fmt::format("{}: is {}x{} pixels, the reference {}x{}", file, picture.width, picture.height,
                                 reference.width, reference.height));
-    if (picture.channels != reference.channels) throw Error(fmt::format("{}: has not the reference's channels", file));
+    if (picture.channels != reference.channels)
+        throw Error(fmt::format("{}: does not have the reference's channels", file));
 }
 
 bool is_finite(const RendersAt& at, const Picture& reference, std::size_t k) {
