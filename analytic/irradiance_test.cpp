@@ -53,7 +53,7 @@ double disk_quadrature(Vec3 p, Vec3 n, Vec3 centre, Vec3 normal, double radius) 
         0, radius, 8);
 }
 
-/// Over the cap of directions, cut where it crosses the horizon.
+/// The irradiance by quadrature over the cap of directions, cut where it crosses the horizon.
 double sphere_quadrature(Vec3 n, Vec3 centre, double radius) {
     const double d = length(centre), cap = std::asin(radius / d), tilt = std::acos(dot(n, centre) / d);
     const auto ring = [&](double theta) {

@@ -21,7 +21,7 @@ namespace {
     throw Error(fmt::format("{}: cannot be written: {}", file.string(), why));
 }
 
-/// Empty when all went well.
+/// What went wrong in writing the file itself; empty when all went well.
 std::string write_here(const fs::path& file, std::string_view text) {
     std::ofstream stream(file, std::ios::binary);
     stream.write(text.data(), static_cast<std::streamsize>(text.size()));
@@ -29,7 +29,7 @@ std::string write_here(const fs::path& file, std::string_view text) {
     return stream ? "" : std::strerror(errno);
 }
 
-/// Where a file written under this name ends up.
+/// The file in which writing under this name ends up.
 fs::path behind_links(const fs::path& file) {
     std::error_code dangling;
     const fs::path target = fs::is_symlink(file) ? fs::canonical(file, dangling) : file;
@@ -40,7 +40,8 @@ bool is_device_or_pipe(const fs::path& file) {
     return fs::exists(file) && !fs::is_regular_file(file) && !fs::is_directory(file);
 }
 
-// Of this process and of this call, so that no two writers meet; the extension stays, since image formats go by it.
+// A name of this process and of this call, so that no two writers meet; the extension stays, since image formats go by
+// it.
 fs::path name_aside(const fs::path& file) {
     static std::atomic<unsigned> calls = 0;
     return file.parent_path() /

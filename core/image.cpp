@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Beside the program, where the build leaves it, in an installed program's ../lib, or where the system looks.
+// The module beside the program, where the build leaves it, in an installed program's ../lib, or where the system
+// looks.
 void* loaded_module() {
     std::error_code ignored;
     const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();

@@ -28,7 +28,7 @@ private:
     int saved_;
 };
 
-// Empty where the layout is one that an Image can hold.
+// What is wrong with the layout; empty where an Image can hold it.
 std::string objection(const OIIO::ImageSpec& spec) {
     if (spec.deep) return "it is a deep image; accepted are images with one value a channel";
     if (spec.width < 1 || spec.height < 1 || spec.depth != 1 || spec.nchannels < 1)

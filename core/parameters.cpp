@@ -29,7 +29,7 @@ std::optional<Number> number_in(const std::string& text, Number least, Number mo
     return whole && value >= least && value <= most ? std::optional(value) : std::nullopt;
 }
 
-// Empty for what is not accepted.
+// The value that the text says; empty for what is not accepted.
 std::optional<Value> parsed(const Parameter& parameter, const std::string& text) {
     const auto as_value = [](const auto& found) { return found ? std::optional<Value>(*found) : std::nullopt; };
     return std::visit(

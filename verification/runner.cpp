@@ -22,7 +22,7 @@ void check_pattern(const Catalogue& catalogue, Size size, const std::string& pat
                             near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
 }
 
-// Empty when the run was stopped before there was a verdict.
+// The verdict on the item; empty when the run was stopped before there was one.
 std::optional<Verdict> verdict_of(const Item& item, const Run& run) {
     try {
         run.end_if_stopped();

@@ -9,7 +9,7 @@ bool same_lobe(const std::optional<BsdfSample>& a, const std::optional<BsdfSampl
 
 namespace {
 
-// Within a lobe u[0] does not move the direction.
+// Whether both outcomes are the same: within a lobe u[0] does not move the direction.
 bool same_outcome(const std::optional<BsdfSample>& a, const std::optional<BsdfSample>& b) {
     return same_lobe(a, b) && (!a || length_squared(a->wi - b->wi) < 1e-18);
 }

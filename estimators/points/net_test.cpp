@@ -30,7 +30,7 @@ TEST(ZeroTwo, IsSobolByIndexAndTheSameSetAtPowersOfTwo) {
     for (std::size_t i = 0; i < gray.size(); ++i) ASSERT_EQ(gray[i], plain[i ^ (i >> 1)]) << i;
 }
 
-/// How many leading binary digits two fractions share.
+/// The number of leading binary digits that two fractions share.
 int shared(std::uint64_t a, std::uint64_t b) {
     return std::countl_zero(a ^ b);
 }

@@ -32,7 +32,7 @@ TEST(PointSets, AnyCountExactlyInTheCubeAndReproducible) {
     expect_points_in_the_cube(point_sets_2d());
 }
 
-/// How many of n equal intervals hold a coordinate of this axis.
+/// The number of n equal intervals that hold a coordinate of this axis.
 template <int D>
 std::size_t occupied(const std::vector<Point<D>>& points, int axis, std::uint64_t n) {
     std::set<std::uint64_t> strata;

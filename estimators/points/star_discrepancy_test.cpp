@@ -32,7 +32,7 @@ TEST(StarDiscrepancy, OfOnePoint) {
     EXPECT_EQ(star_discrepancy({Point<2>{1, 1}}), 1);
 }
 
-/// By definition, over the corners at which the supremum is attained: all pairs of coordinates, and 1.
+/// The discrepancy by definition, over the corners at which the supremum is attained: all pairs of coordinates, and 1.
 double by_all_critical_boxes(const std::vector<Point<2>>& points) {
     std::vector<double> xs{1}, ys{1};
     for (const auto& [x, y] : points) {

@@ -71,8 +71,8 @@ double along_ray(std::uint64_t n, const Point<2>& x, const Point<2>& v, const Ba
     return integrate(integrand, breaks, rule);
 }
 
-/// Over the triangle between x and one side of the square: y = x + s (b(t) − x), dy = distance · s ds dt, t along the
-/// side.
+/// The integral over the triangle between x and one side of the square: y = x + s (b(t) − x), dy = distance · s ds dt,
+/// t along the side.
 double over_triangle(std::uint64_t n, const Point<2>& x, int axis, double side, const BallMeasure& ball,
                      const Rule& rule) {
     const double distance = std::abs(side - x[axis]), foot = x[1 - axis];

@@ -6,7 +6,7 @@
 namespace plumb {
 namespace {
 
-/// With which weights the values at the nodes make up the interpolant at u.
+/// The weights with which the values at the nodes make up the interpolant at u.
 std::vector<double> barycentric(const std::vector<double>& nodes, double u) {
     std::vector<double> weights(nodes.size());
     double sum = 0;

@@ -25,7 +25,7 @@ using Slope2D = std::optional<Interval>;
 // by a second difference each: N · N^-4. docs/statistics.md, "Rates".
 constexpr double jump = -1.5, root = -2, kink = -2.5, smooth = -3;
 
-/// Between two exponents: the steeper and the flatter.
+/// The interval between two exponents, the steeper and the flatter.
 Interval between(double steep, double flat) {
     return {steep - 0.25, flat + 0.25};
 }

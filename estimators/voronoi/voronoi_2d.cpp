@@ -172,8 +172,8 @@ void add_copies(std::vector<Position>& points, const std::vector<Position>& site
         }
 }
 
-/// How far the circles around the samples' faces reach beyond the unit cell; empty when a face is infinite or all
-/// points are collinear.
+/// The distance by which the circles around the samples' faces reach beyond the unit cell; empty when a face is
+/// infinite or all points are collinear.
 std::optional<double> reach(const Delaunay& triangulation) {
     if (triangulation.dimension() < 2) return std::nullopt;
     double farthest = 0;

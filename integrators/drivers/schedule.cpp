@@ -21,7 +21,7 @@ class Schedule {
 public:
     explicit Schedule(const PassWork& work) : work_(work) {}
 
-    // Of one thread, until nothing is left.
+    // Works in one thread, until nothing is left.
     void work() {
         try {
             while (const auto piece = next()) {

@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-// Conventions of every closure, held to by verification/suites/bsdf*.cpp and by check_bsdf for anybody's model:
+// Conventions of every closure, held to by verification/suites/surfaces/ and by check_bsdf for anybody's model:
 //   directions are unit vectors in the shading frame, z along the normal, both leaving the surface;
 //   wo is given, wi is chosen; z > 0 is outside (the side of the exterior index), a closure handles both signs of wo.z;
 //   eval() is f(wo, wi)·|wi.z|, pdf() is per steradian of wi; both describe the smooth part only: mirrors and smooth

@@ -150,7 +150,7 @@ private:
     std::uint64_t index_ = 0;
 };
 
-/// Where a vertex property goes: 0–2 position, 3–5 normal, 6–7 uv, -1 nowhere.
+/// The place of a vertex property: 0–2 position, 3–5 normal, 6–7 uv, -1 nowhere.
 int vertex_slot(const std::string& name) {
     static constexpr std::array<std::array<std::string_view, 3>, 8> names{{{"x", "x", "x"},
                                                                            {"y", "y", "y"},

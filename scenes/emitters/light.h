@@ -13,7 +13,7 @@
 
 namespace plumb {
 
-// Conventions of every light, held to by verification/suites/light*.cpp (scenes/sensors/sensor.h mirrors them):
+// Conventions of every light, held to by verification/suites/lights/ (scenes/sensors/sensor.h mirrors them):
 //   everything is seen from a reference point `from`, in world space; directions are unit vectors that leave it;
 //   radiance is what arrives at `from`, per lane, nothing in between; densities are per steradian at `from`;
 //   a surface emits on the side its normal points to, and only the first point along a direction counts: a convex light

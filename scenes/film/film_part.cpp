@@ -63,7 +63,7 @@ public:
         if (const auto size = plain<std::size_t>(); size != values.size()) throw damaged();
         std::memcpy(values.data(), take(values.size(), sizeof(T)), values.size() * sizeof(T));
     }
-    /// Of as many exact sums.
+    /// Reads wide sums, which stand for numbers below `sums`.
     void fill(WideSums& wide, std::size_t sums) {
         for (auto left = plain<std::size_t>(); left > 0; --left) {
             const auto number = plain<std::size_t>();

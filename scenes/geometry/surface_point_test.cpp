@@ -12,7 +12,7 @@ Vec3 random_vector(RandomStream& random) {
     return {2 * random.uniform() - 1, 2 * random.uniform() - 1, 2 * random.uniform() - 1};
 }
 
-/// By way of memory that the compiler must not think away.
+/// Expects coordinates that are floats, by way of memory that the compiler must not think away.
 void expect_floats(Vec3 p) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         volatile float narrow = static_cast<float>(p[axis]);

@@ -85,7 +85,7 @@ void append_text(const XmlElement& element, std::string& text) {
     text += '>';
 }
 
-// Where the files lie does not matter, only what is in them.
+// The hash of the content: where the files lie does not matter, only what is in them.
 std::uint64_t content_hash(const XmlElement& root, const Loader& loader) {
     std::string text;
     append_text(root, text);

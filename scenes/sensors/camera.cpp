@@ -26,7 +26,7 @@ double load_fov_x(Properties& properties, const Film& film) {
     std::string axis = properties.string("fov_axis", "x");
     const std::string focal = properties.string("focal_length", "50mm");
     if (!properties.has("fov")) {
-        // Of a 35 mm camera, whose frame measures 36 × 24 mm.
+        // The angle is that of a 35 mm camera, whose frame measures 36 × 24 mm.
         const std::string digits = focal.ends_with("mm") ? focal.substr(0, focal.size() - 2) : focal;
         fov = 2 * std::atan(std::hypot(36.0, 24.0) / (2 * parse_number(digits, place))) / degree;
         axis = "diagonal";

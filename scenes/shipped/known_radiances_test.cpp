@@ -97,7 +97,7 @@ TEST(KnownRadiances, OfTheLensAreMeansOverIt) {
                                                        std::floor(known.film[1]) + (cell / side + 0.5) / side};
             sum += loaded.emission(lens.sample_ray(film, {(at % points + 0.5) / points, (at / points + 0.5) / points}));
         }
-        // Of 256 by 256 cells an edge crosses a few hundred, each of which is wrong by a half at most, either way.
+        // An edge crosses a few hundred of 256 by 256 cells, each of which is wrong by a half at most, either way.
         expect_equal(sum / (points * points * side * side), known, side == 1 ? 1e-3 : 1e-12, "lens_focus");
     }
 }

@@ -22,7 +22,8 @@ TEST(SubtractVarianceOfTruth, LeavesAnIntervalOfTheMse) {
         covered += point.mse_interval.contains(mse) ? 1 : 0;
         bias_covered += std::abs(point.bias - bias) < 1.96 * point.bias_standard_error ? 1 : 0;
     }
-    // Of 380; errors that are products of normal ones reach a little farther. 206, if only the replicates' counted.
+    // These are of 380; errors that are products of normal ones reach a little farther. 206, if only the replicates'
+    // counted.
     EXPECT_GT(covered, 350);
     EXPECT_LT(covered, 396);
     EXPECT_GT(bias_covered, 362);

@@ -42,7 +42,7 @@ double longest_verdict() {
     return 200 * sigma_over_delta * sigma_over_delta;
 }
 
-// In units of delta: values uniform in bias ± sqrt(3) sigma, claimed to have mean 0.
+// One verdict in units of delta: values uniform in bias ± sqrt(3) sigma, claimed to have mean 0.
 SimulatedCost simulate_verdict(const CostSetting& setting, double bias, RandomStream& random) {
     const double half = std::numbers::sqrt3 * sigma_over_delta;
     const Interval bounds{bias - half, bias + half};

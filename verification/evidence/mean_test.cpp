@@ -119,8 +119,8 @@ TEST(MeanIs, ForgetsWhatItBelievedBeforeItSawTheSpikes) {
     }
 }
 
-// As of light that arrives by one ray in 250, less an estimate that hardly varies: before the first ray, each value is
-// a sure win against it.
+// The values are as of light that arrives by one ray in 250, less an estimate that hardly varies: before the first ray,
+// each value is a sure win against it.
 TEST(MeanIs, ForfeitsWhatItWonBeforeASpikeRuinedIt) {
     const auto rays = [](RandomStream& random) {
         return (random.uniform() < 0.004 ? 125 : 0) - 0.4 - 0.2 * random.uniform();

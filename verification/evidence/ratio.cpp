@@ -48,7 +48,7 @@ struct LogRatio {
     double value, standard_error;
 };
 
-// Is exp(value) inside the interval? The shared end of both verdicts below.
+// The verdict on whether exp(value) is inside the interval: the shared end of both verdicts below.
 Verdict log_ratio_verdict(const LogRatio& ratio, const Interval& claimed, std::uint64_t samples, std::string_view what,
                           const Run& run) {
     const auto interval = [&](double tail) {

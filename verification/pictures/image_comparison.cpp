@@ -34,7 +34,7 @@ struct Grid {
     [[nodiscard]] const DifferenceSums& at(int column, int row, std::size_t channel) const {
         return sums[static_cast<std::size_t>(row * columns + column) * channels + channel];
     }
-    /// Of the box and its up to eight neighbours.
+    /// The sums of the box and its up to eight neighbours.
     [[nodiscard]] DifferenceSums around(int column, int row, std::size_t channel) const {
         DifferenceSums total;
         for (int v = std::max(0, row - 1); v <= std::min(rows - 1, row + 1); ++v)
@@ -185,8 +185,9 @@ double per_degree_in(const Picture& a, const Picture& b, const PixelBox& box, st
     return share * share / a.degrees + (1 - share) * (1 - share) / b.degrees;
 }
 
-/// How far below 1 is the mean of those squares? Each pixel is the mean of its channels. Their variance is taken for no
-/// less than that of normal errors of one channel: samples that are shared have less, and equal images none.
+/// The test of how far the mean of those squares is below 1. Each pixel is the mean of its channels. Their variance is
+/// taken for no less than that of normal errors of one channel: samples that are shared have less, and equal images
+/// none.
 AlikenessTest alikeness(const Picture& a, const Picture& b, const Grid& grid, const DifferenceRules& rules) {
     Moments excess, normal_variance;
     std::vector<double> per_degree(grid.channels);

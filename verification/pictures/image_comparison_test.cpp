@@ -231,7 +231,8 @@ TEST(ImageComparison, OfPicturesWithoutVarianceIsEquality) {
     EXPECT_EQ(compared(flat(1, 0), flat(1.01f, 0)).verdict.outcome, Outcome::refuted);
 }
 
-// As a lamp that one integrator sees without noise, and the other but for a rare splat, which shows in another place.
+// The pictures are as of a lamp that one integrator sees without noise, and the other but for a rare splat, which shows
+// in another place.
 TEST(ImageComparison, OfTilesWithoutVarianceAllowsForSpikesThatThePictureHasElsewhere) {
     Image a = flat(1, 0), b = flat(0.998f, 0);
     for (const std::size_t pixel : {3, 40}) b.values[2 * pixel] = 1.25f, b.values[2 * pixel + 1] = 0.0625f;

@@ -43,7 +43,7 @@ void for_blocks(int width, int height, int block, Visit visit) {
         }
 }
 
-/// Of the places that have an error.
+/// The mean over the places that have an error.
 double mean_at(const Errors& field, const std::vector<std::size_t>& places) {
     double sum = 0;
     std::size_t count = 0;
@@ -111,8 +111,8 @@ double products(const std::vector<Errors>& fields, int width, int height, int dx
     return found;
 }
 
-/// How much larger squared differences are than the variances say: a share of them that a bias has, with its standard
-/// error. Expectation 0 for true estimates, correlated or not.
+/// The share of squared differences that is more than the variances say, and that a bias has, with its standard error.
+/// Its expectation is 0 for true estimates, correlated or not.
 struct Excess {
     double value = 0, error = 0;
 };

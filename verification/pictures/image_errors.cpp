@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-/// Of one measure: a term a pixel (the channels' mean).
+/// The terms of one measure, one a pixel (the channels' mean).
 struct Terms {
     Moments moments;
     double sum = 0;

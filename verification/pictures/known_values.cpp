@@ -59,9 +59,9 @@ double neighbours(const Picture& part, int x, int y) {
     return edge ? std::numeric_limits<double>::quiet_NaN() : moments.mean();
 }
 
-/// Of 17 x 17 pixels about the square, whose skewness is taken for the square's own. Each is compared with the mean of
-/// its neighbours, and sums_of() takes off what its neighbours differ by from theirs: a picture that is quadratic in x
-/// and y leaves nothing but noise.
+/// The sums of 17 x 17 pixels about the square, whose skewness is taken for the square's own. Each pixel is compared
+/// with the mean of its neighbours, and sums_of() takes off what its neighbours differ by from theirs: a picture that
+/// is quadratic in x and y leaves nothing but noise.
 DifferenceSums sums_around(const Picture& picture, const Covered& centre, std::size_t channel) {
     constexpr int reach = 8;
     const int left = std::max(0, centre.x - reach), top = std::max(0, centre.y - reach);

@@ -41,7 +41,7 @@ double normal_score(double t, double degrees) {
     return score_of_tail(student_two_sided_tail(t, degrees) / 2);
 }
 
-// Of the larger of both sides' sums, with a number of standard errors upon it.
+// The skewness of the larger of both sides' sums, with a number of standard errors upon it.
 double skewness_of(const DifferenceSums& sums, double errors, double inflation) {
     const double third =
         std::max(std::abs(sums.third_a), std::abs(sums.third_b)) + errors * std::sqrt(sums.third_error);

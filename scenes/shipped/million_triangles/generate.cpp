@@ -18,7 +18,7 @@ static_assert(std::endian::native == std::endian::little, "the file says binary_
 constexpr std::uint32_t squares = 710;
 constexpr float side = 16;  // of the ground, around the origin
 
-/// In [0, 1), of a point of the grid.
+/// A number in [0, 1) for a point of the grid.
 double lattice(std::uint32_t x, std::uint32_t y, std::uint32_t octave) {
     std::uint32_t h = x * 0x9E3779B1u ^ y * 0x85EBCA77u ^ octave * 0xC2B2AE3Du;
     for (const std::uint32_t factor : {0x7FEB352Du, 0x846CA68Bu}) h = (h ^ h >> 16) * factor;

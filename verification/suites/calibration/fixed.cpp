@@ -159,7 +159,8 @@ void add_exact_claims(Catalogue& catalogue) {
 
 const DistributionClaim four_cells{{0.25, 0.25, 0.25, 0.25}, 0.2};
 
-// How often the p-value of a true density lies below 1 %, for the smallest expected count that is allowed.
+// The verdict on how often the p-value of a true density lies below 1 %, for the smallest expected count that is
+// allowed.
 Verdict four_cell_false_alarms(int degrees_of_freedom, const Run& run) {
     constexpr double level = 0.01;
     const auto draw = [&](RandomStream& random) {
@@ -173,7 +174,7 @@ Verdict four_cell_false_alarms(int degrees_of_freedom, const Run& run) {
     return mean_at_most(draw, {.bound = aim * level, .margin = (aim - 1) * level, .bounds = {0, 1}}, run);
 }
 
-// How often a density error of exactly delta ends in `holds`.
+// The verdict on how often a density error of exactly delta ends in `holds`.
 Verdict four_cell_wrong_holds(double error_of_density, const Run& run) {
     const auto draw = [&](RandomStream& random) {
         std::array<std::uint64_t, 4> counts{};

@@ -13,7 +13,7 @@
 namespace plumb::suites {
 namespace {
 
-// Of the tests with holes: so small that no accident gives them away.
+// The level of the tests with holes: so small that no accident gives them away.
 constexpr double their_level = 1e-6;
 
 Verdict rejected(bool yes, std::string reason) {

@@ -21,7 +21,7 @@ struct Trial {
     Sizes sizes;
 };
 
-// Without bounds, skewness sets how many samples must pass before a decision: 1500 skewness².
+// The laws on trial. Without bounds, skewness sets how many samples must pass before a decision: 1500 skewness².
 std::vector<Trial> trials() {
     return {{"coin", bernoulli(0.5), Sizes::both},
             {"rare", bernoulli(1e-3).at(0.02), Sizes::full_only},
@@ -99,7 +99,7 @@ void add_false_alarm_claim(Catalogue& catalogue, const Trial& trial) {
 // A test of new random numbers: whether it ends in `holds`.
 using EndsInHolds = std::function<bool(RandomStream&)>;
 
-// How often a test at a deviation of delta ends in `holds`.
+// The verdict on how often a test at a deviation of delta ends in `holds`.
 Verdict wrong_holds(const EndsInHolds& ends_in_holds, double rate, const Run& run) {
     const auto draw = [&](RandomStream& random) { return ends_in_holds(random) ? 1.0 : 0.0; };
     return mean_at_most(draw, {.bound = rate, .margin = rate / 3, .bounds = {0, 1}}, run);

@@ -29,7 +29,7 @@ Verdict rate_verdict(const Replicate& replicate, double exponent, double alpha, 
     return rate_is(replicate, setting, {exponent, exponent}, Run(random.bits(), "inner", alpha));
 }
 
-// How often a whole simulated test at this level refutes what is true.
+// The verdict on how often a whole simulated test at this level refutes what is true.
 Verdict misses(const std::function<Verdict(double alpha, RandomStream&)>& test, double alpha, double rate,
                const Run& run) {
     const auto draw = [&](RandomStream& random) { return test(alpha, random).outcome == Outcome::refuted ? 1.0 : 0.0; };
@@ -51,7 +51,8 @@ void add_coverage_claim(Catalogue& catalogue, const std::string& id, const std::
                    .sizes = sizes});
 }
 
-// Is z = (slope − truth)/standard error normal? Its two-sided p-value then falls evenly into ten cells.
+// The verdict on whether z = (slope − truth)/standard error is normal: its two-sided p-value then falls evenly into ten
+// cells.
 Verdict slope_p_values_are_uniform(double error_factor, const Run& run) {
     const Replicate replicate = errors_of(normal());
     const auto draw = [&](RandomStream& random) {

@@ -104,7 +104,7 @@ struct Job {
 
 constexpr FilmRegion whole{0, 0, 32, 32}, by_the_point{0, 0, 16, 16};
 
-/// Of 16 passes; see RenderSettings.
+/// Settings of 16 passes; see RenderSettings.
 RenderSettings samples(const std::string& sampler, std::uint32_t per_pass, const FilmRegion& crop = whole) {
     return {.sampler = sampler, .samples_per_pass = per_pass, .crop = crop};
 }
@@ -123,7 +123,7 @@ Renderer path(int longest = -1) {
     return by(PathTracer({.max_edges = longest}));
 }
 
-/// By direct light, of so many Sobol samples a pass.
+/// A job by direct light, of so many Sobol samples a pass.
 Job still(std::uint32_t per_pass) {
     return {honest_scene, direct(), samples("sobol", per_pass)};
 }

@@ -23,8 +23,8 @@ Verdict trapezoid_cost(double (*cost_of_difference)(std::uint64_t)) {
     return cost_is(counted, {forecast * (1 - 1e-14), forecast * (1 + 1e-14)}, "evaluations expected");
 }
 
-/// With y = E(1 − X), s = E(1 − X)², T_k = r^k: E[Δ_j Δ_k] = s^(j+1) y^(k−j) for j ≤ k, so that the sum S has
-/// E S² = (1 + y)/(1 − y) · s r/(r − s), s < r, and E S = y/(1 − y).
+/// The variance of the roulette sum of prefix products. With y = E(1 − X), s = E(1 − X)², T_k = r^k: E[Δ_j Δ_k] =
+/// s^(j+1) y^(k−j) for j ≤ k, so that the sum S has E S² = (1 + y)/(1 − y) · s r/(r − s), s < r, and E S = y/(1 − y).
 double reciprocal_variance() {
     const double y = 0.4, s = y * y + 0.2 * 0.2 / 12, r = reciprocal_r;
     return (1 + y) / (1 - y) * s * r / (r - s) - std::pow(y / (1 - y), 2);

@@ -73,7 +73,7 @@ Verdict roulette_variance_is(const Reweighting<double>& reweighting, const Run& 
     return variance_is(rouletted_exp(reweighting), roulette_variance(e - 1, plain, survival), 0.05, 30000, run);
 }
 
-/// How often the integrand is evaluated in 10 trials.
+/// The verdict on how often the integrand is evaluated in 10 trials.
 Verdict roulette_cost(double q, const Run& run) {
     const Draw count = [q](RandomStream& random) {
         return static_cast<double>(roulette<1>([](const Point<1>& x) { return x[0]; }, q, 10, random).evaluations);

@@ -36,7 +36,7 @@ double draw_known(const Scene& scene, const PathEstimator& estimator, const Know
     return sum / 32;
 }
 
-/// Of the first values.
+/// The spread of the first values.
 double spread(const Draw& draw, const Run& run) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (std::uint64_t i = 0; i < 64; ++i) {

@@ -1,5 +1,6 @@
-// How fast the error of the renderer's direct light falls with the samples of a pass, by its own samplers: through a
-// fixed film point the light's two dimensions are all there is, in a pixel those of the film multiply them.
+// These claims say how fast the error of the renderer's direct light falls with the samples of a pass, by its own
+// samplers: through a fixed film point the light's two dimensions are all there is; in a pixel those of the film
+// multiply them.
 
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -14,7 +15,8 @@ namespace {
 
 constexpr double edge = 0.15, slope = 0.3;  // of the blocker
 constexpr double side = 0.5;                // of what the film shows of the floor
-/// Of the light: so far off that the edge matters more than the cosines, which would add a term of order n^-2.
+/// The height of the light: so far off that the edge matters more than the cosines, which would add a term of order
+/// n^-2.
 constexpr double height = 3;
 
 /// The film shows the floor [-¼, ¼]² from straight above; a light over it, of which everything beyond the line

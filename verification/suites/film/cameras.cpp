@@ -158,7 +158,8 @@ void add_one(Catalogue& catalogue, const Camera& camera) {
 
 using LensMap = std::function<Point<2>(const Point<2>&)>;
 
-/// Where, in units of the circle's radius, the film sees a point off the axis at twice the focus, through lens point u.
+/// The point, in units of the circle's radius, where the film sees a point off the axis at twice the focus through the
+/// lens point u.
 Point<2> blurred(const Point<2>& u, double focus_of_lens = focus) {
     const ThinLens lens(pose(), size, fov, lens_radius, focus_of_lens);
     const Perspective pinhole(pose(), size, fov);

@@ -177,7 +177,8 @@ Integrand<2> with_short_pi() {
 template <int D>
 using Values = std::function<double(const Point<D>&)>;
 
-/// Is the mean of `values` at uniform points the stated integral of f? delta is relative to √E f².
+/// The verdict on whether the mean of `values` at uniform points is the stated integral of f; delta is relative to √E
+/// f².
 template <int D>
 Verdict plain_mean(const Integrand<D>& f, const Values<D>& values, double relative_delta, const Run& run) {
     const auto draw = [&values](RandomStream& random) {

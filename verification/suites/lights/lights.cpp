@@ -57,7 +57,7 @@ Verdict mass_is_one(const Light& light, const Run& run) {
                    run);
 }
 
-/// Through a sphere around the light or, for environments, into it: ∫ ∫ L cos θ dω dA.
+/// The flux through a sphere around the light or, for environments, into it is the light's power: ∫ ∫ L cos θ dω dA.
 Verdict flux_is_power(const Light& light, const Run& run) {
     const double area = 4 * pi * light.enclosing * light.enclosing, power = light.power(light.enclosing)[1];
     const double side = light.infinite ? 1 : -1;  // on which side of the sphere it is

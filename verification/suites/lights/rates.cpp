@@ -1,5 +1,5 @@
-// How fast the error of direct light at a fixed shading point falls with the number of samples of one light: the pixel
-// stays fixed, so the light's two dimensions are all there is.
+// These claims say how fast the error of direct light at a fixed shading point falls with the number of samples of one
+// light: the pixel stays fixed, so the light's two dimensions are all there is.
 
 #include "analytic/irradiance.h"
 #include "estimators/points/mean_over.h"

@@ -15,7 +15,7 @@ Point<2> two(RandomStream& random) {
     return {u, random.uniform()};
 }
 
-/// Around what the light shines on; not centred, so that a misplaced disk shows.
+/// A ball around what the light shines on; not centred, so that a misplaced disk shows.
 Ball scene_of(const Light& light) {
     return {{0.1, -0.2, 0.1}, light.enclosing};
 }
@@ -47,7 +47,7 @@ Verdict direction_is_jacobian(const Light& light) {
     });
 }
 
-/// In the second lane, times the cosine at the light.
+/// The radiance along the ray in the second lane, times the cosine at the light.
 double radiance_along(const Light& light, const EmittedRay& ray) {
     if (!light.hits) return 2;
     const double cos = ray.surface ? dot(ray.surface->normal, ray.direction) : 1;
@@ -88,7 +88,7 @@ Verdict flux_is_power(const Light& light, const Run& run) {
                    run);
 }
 
-/// Through the unit square at z = 0, from above: what rays carry less what light samples say.
+/// The light that rays carry through the unit square at z = 0, from above, less what light samples say.
 Verdict rays_arrive(const Light& light, const Run& run) {
     const Ball scene = scene_of(light);
     const auto draw = [&](RandomStream& random) {

@@ -37,7 +37,7 @@ std::string text(const Rationals& values) {
     return "(" + list + ")";
 }
 
-/// Do they sum to 1 wherever a technique can sample, and vanish elsewhere?
+/// The weights sum to 1 wherever a technique can sample, and vanish elsewhere.
 Verdict sums_to_one(const std::vector<Weights<Rational>>& heuristics) {
     std::string failure;
     const std::uint64_t cases = for_small_cases([&](const Rationals& n, const Rationals& p) {
@@ -56,7 +56,7 @@ Verdict sums_to_one(const std::vector<Weights<Rational>>& heuristics) {
                    failure.empty() ? "every sum is 1, or 0 where no technique can sample" : failure);
 }
 
-/// Are they (n_i p_i)^power / Σ (n_k p_k)^power?
+/// The weights are (n_i p_i)^power / Σ (n_k p_k)^power.
 Verdict is_power_of_np(const Weights<Rational>& heuristic, int power) {
     std::string failure;
     const std::uint64_t cases = for_small_cases([&](const Rationals& n, const Rationals& p) {
@@ -88,7 +88,7 @@ Rationals at(const std::array<Rationals, 3>& pmfs, std::size_t x) {
     return {pmfs[0][x], pmfs[1][x]};
 }
 
-/// Is the expectation over all outcomes Σ f, for samples in these counts?
+/// The expectation over all outcomes is Σ f, for samples in these counts.
 Verdict multi_sample_is_unbiased(const Contribution<Rational>& contribution) {
     const Rationals f{3, -1, 5};
     std::uint64_t outcomes = 0;

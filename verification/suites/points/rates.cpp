@@ -1,5 +1,5 @@
-// How fast means over point sets converge. Jumps and kinks are moved at random from replicate to replicate: at a fixed
-// place the variance follows its position between the strata.
+// These claims say how fast means over point sets converge. Jumps and kinks are moved at random from replicate to
+// replicate: at a fixed place the variance follows its position between the strata.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

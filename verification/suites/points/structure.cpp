@@ -21,7 +21,7 @@ bool inside(const Point<2>& p) {
     return 0 <= p[0] && p[0] < 1 && 0 <= p[1] && p[1] < 1;
 }
 
-/// Does each of the columns × rows = n cells of the cube hold exactly one of the n points?
+/// Whether each of the columns × rows = n cells of the cube holds exactly one of the n points.
 bool one_in_each(std::span<const Point<2>> points, std::uint64_t columns, std::uint64_t rows) {
     std::vector<bool> taken(columns * rows);
     if (points.size() != taken.size() || !std::ranges::all_of(points, inside)) return false;
@@ -133,7 +133,7 @@ void add_strata(Catalogue& catalogue) {
     });
 }
 
-/// Does each elementary interval of area 1/n, n a power of two, hold exactly one of these n points?
+/// Whether each elementary interval of area 1/n, n a power of two, holds exactly one of these n points.
 bool is_net(std::span<const Point<2>> points) {
     for (std::uint64_t columns = 1; columns <= points.size(); columns *= 2)
         if (!one_in_each(points, columns, points.size() / columns)) return false;

@@ -19,7 +19,7 @@ Verdict has_variance(const Generate<1>& generate, const Function<1>& f, std::uin
     return variance_is(draw, variance, relative_delta, replicates, run);
 }
 
-/// Of the stratified mean of e^x: n^-2 times the sum over strata of length h of E e^2x − (E e^x)².
+/// The variance of the stratified mean of e^x: n^-2 times the sum over strata of length h of E e^2x − (E e^x)².
 double stratified_variance_of_exp(std::uint64_t n) {
     const double h = 1 / static_cast<double>(n);
     double sum = 0;
@@ -34,8 +34,9 @@ std::uint64_t one_each(std::uint64_t n) {
     return n;
 }
 
-/// Of the correlated multi-jittered mean of e^(x+y), n = m². A point of cell (i, j) lies at x = i/m + σ(j)/n plus a
-/// jitter within 1/n, and likewise in y, so that given the permutations the sum over the set has the mean
+/// The variance of the correlated multi-jittered mean of e^(x+y), n = m². A point of cell (i, j) lies at
+/// x = i/m + σ(j)/n plus a jitter within 1/n, and likewise in y, so that given the permutations the sum over the set
+/// has the mean
 ///   G² A(τ) B(σ),  A(τ) = Σ_i a_i b_τ(i),  a_i = e^(i/m),  b_k = e^(k/n),  G = E e^jitter,
 /// B likewise and independent of A. For a uniform permutation Var A = Σ(a − ā)² Σ(b − b̄)² / (m − 1) [Hoeffding 1951].
 /// The jitters add S² − G⁴ a cell, S = E e^(2 jitter), times the squares of the same exponentials.

@@ -105,7 +105,7 @@ Verdict agrees_with_half_lines(const Weigh& weigh, bool periodic, const Run& run
     return within_bound(cases, 0x1p-50, "absolute");
 }
 
-// Where 1 − x rounds, where the end terms change sign (1/(N+1)) and peak (2/N), and the ends of the doubles.
+// The places where 1 − x rounds, where the end terms change sign (1/(N+1)) and peak (2/N), and the ends of the doubles.
 std::vector<double> hard_places(double n) {
     std::vector<double> places{0x1p-1074, 0x1p-1022, 0x1p-54, 0x1p-53,     0x1p-30,     0.1,
                                1.0 / 3,   0.5,       0.7,     1 - 0x1p-30, 1 - 0x1p-52, 1 - 0x1p-53};

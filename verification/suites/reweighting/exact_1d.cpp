@@ -51,7 +51,7 @@ RationalPolynomial stratified_closed_form(int n, int k) {
     return 1;
 }
 
-// Does g average to 1, as E of weights that sum to 1 must, for N = 2 … 8 (40 in full)?
+// The verdict on whether g averages to 1, as E of weights that sum to 1 must, for N = 2 … 8 (40 in full).
 Verdict integrates_to_one(const PolynomialOfN& g, const Run& run) {
     const int last = run.pick(8, 40);
     for (int n = 2; n <= last; ++n)

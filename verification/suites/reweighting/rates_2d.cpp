@@ -1,4 +1,4 @@
-// How fast the errors of torus weights fall.
+// These claims say how fast the errors of torus weights fall.
 #include <numbers>
 
 #include "estimators/points/stratified.h"

@@ -16,7 +16,7 @@ namespace {
 
 using description::Shape;
 
-/// How rays start: the functions on trial.
+/// The functions on trial: how rays start.
 struct Starts {
     std::function<Ray(const SurfacePoint&, Vec3)> leaves = leave;
     std::function<Ray(const SurfacePoint&, const SurfacePoint&)> connects = connect;
@@ -115,7 +115,7 @@ Vec3 facing(const Hit& hit, const Ray& ray) {
     return dot(hit.point.normal, ray.direction) < 0 ? hit.point.normal : -hit.point.normal;
 }
 
-/// From points inside, from hit to hit, four times: each ray must hit, none the surface that it leaves.
+/// Walks from points inside, from hit to hit, four times: each ray must hit, none the surface that it leaves.
 void walk(const Shape& shape, Vec3 center, const Starts& starts, int walks, RandomStream& random, Counts& counts) {
     const EmbreeScene scene({&shape, 1});
     for (int i = 0; i < walks; ++i) {
@@ -146,7 +146,8 @@ SurfacePoint beside_edge(const Mesh& mesh, std::uint32_t primitive, RandomStream
     return triangle_point(Facet(corners), b[1], b[2]);
 }
 
-/// Within 1/16 radian of the direction of any edge: docs/scenes.md says why Embree may lose such a ray beside it.
+/// Whether the direction is within 1/16 radian of any edge's: docs/scenes.md says why Embree may lose such a ray beside
+/// it.
 bool along_an_edge(const Mesh& mesh, Vec3 direction) {
     return std::ranges::any_of(mesh.triangles, [&](const auto& triangle) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -175,7 +176,7 @@ void leave_edges(const Shape& shape, Vec3 center, const Starts& starts, int rays
     }
 }
 
-/// Between pairs of hits seen from one point inside: nothing lies between, and neither end hides itself.
+/// Connects pairs of hits seen from one point inside: nothing lies between, and neither end hides itself.
 void connect_pairs(const Shape& shape, Vec3 center, const Starts& starts, int pairs, RandomStream& random,
                    Counts& counts) {
     const EmbreeScene scene({&shape, 1});
@@ -188,7 +189,7 @@ void connect_pairs(const Shape& shape, Vec3 center, const Starts& starts, int pa
     }
 }
 
-/// At 0 and at 2^0 … 2^12 sizes from the world's origin, in random directions and along the axes.
+/// The verdict on counts at 0 and at 2^0 … 2^12 sizes from the world's origin, in random directions and along the axes.
 template <class Count>
 Verdict at_all_distances(const Closed& closed, const Run& run, const Count& count) {
     Counts counts;

@@ -1,4 +1,4 @@
-// Which classes of paths `path`, `light` and `bdpt` make, against the predicate that says so: by what they find in
+// The classes of paths that `path`, `light` and `bdpt` make agree with the predicate that says so, by what they find in
 // scenes of pure materials.
 
 #include <map>

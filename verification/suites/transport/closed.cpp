@@ -24,7 +24,7 @@ struct Sphere {
 };
 constexpr Sphere glowing{glowing_sphere, 1}, around_point{sphere_around_point, 2};
 
-/// How finely an integrator is held to them, relative; `constant`: every path of its is what it should be.
+/// The relative precision to which an integrator is held; `constant`: every path of it is what it should be.
 struct Precision {
     double quick, full;
     bool constant = false;
@@ -54,7 +54,7 @@ Verdict lengths_are(const Sphere& sphere, const PathEstimator& estimator, const 
     return all_of(std::move(parts));
 }
 
-// Of all lengths together, as a picture: 1 − 2^−D.
+// The verdict on a picture of all lengths together: 1 − 2^−D.
 Verdict picture_is(const Made& estimator, const Run& run) {
     const Scene& scene = sphere_around_point();
     const double reference = 1 - std::pow(0.5, longest - 1);

@@ -13,7 +13,7 @@ namespace plumb::suites {
 namespace {
 
 using Made = std::shared_ptr<const PathEstimator>;
-/// Of which slots the density is told; of others it is said to be 1.
+/// The slots whose density is told; that of others is said to be 1.
 using Told = bool (*)(const Slot&);
 
 /// Numbers of the density 1 + a(2x − 1) along each axis, a = ±0.3 by slot and axis.

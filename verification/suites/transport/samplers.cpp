@@ -15,7 +15,7 @@ struct Numbers {
     std::string name, sampler;
 };
 
-/// On a wall, the floor's edge, the block's, and in its penumbra.
+/// Pixels on a wall, the floor's edge, the block's, and in its penumbra.
 constexpr std::array<FilmRegion, 4> pixels{{{5, 9}, {9, 24}, {20, 21}, {26, 27}}};
 
 Estimate mean_of_pixels(const std::string& sampler, std::uint64_t n, std::uint64_t seed) {

@@ -28,9 +28,9 @@ void for_each_path(const Scene& scene, const Run& run, const std::function<void(
 
 // ---- densities from scratch, for a path without mirrors
 
-// By how far a ray from x that meets y, or from y that meets x, may miss the line between the two: it starts off its
-// surface, and its direction and the point that it meets are rounded (scenes/geometry/surface_point.h: `margin` bounds
-// the rounding within the plane of a triangle).
+// The distance by which a ray from x that meets y, or from y that meets x, may miss the line between the two: it starts
+// off its surface, and its direction and the point that it meets are rounded (scenes/geometry/surface_point.h: `margin`
+// bounds the rounding within the plane of a triangle).
 double miss(const SubpathVertex& x, const SubpathVertex& y) {
     constexpr double of_floats = 0x1p-21;
     constexpr auto environment = SubpathVertex::Kind::environment;
@@ -77,7 +77,7 @@ struct Densities {
     std::vector<double> logs;
     std::vector<LogDensity> from_camera, from_light;
 
-    // By how much ln p_i/p_j may be wrong: by the vertices that one strategy makes from the sensor, one from the light.
+    // A bound of the error of ln p_i/p_j, by the vertices that only one strategy makes from the sensor.
     [[nodiscard]] double error_of_ratio(std::size_t i, std::size_t j) const {
         double sum = 0;
         for (std::size_t k = std::min(i, j); k < std::max(i, j); ++k) sum += from_camera[k].error + from_light[k].error;
