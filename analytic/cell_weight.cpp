@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-void check(std::uint64_t n, double x) {
+void require_sample(std::uint64_t n, double x) {
     if (n == 0) throw Error("a cell weight for 0 samples; at least 1 is needed");
     if (!(x >= 0 && x <= 1)) throw Error(fmt::format("a cell weight at x = {}; x must lie in [0, 1]", x));
 }
@@ -28,7 +28,7 @@ double end_term(double n, double x) {
 }  // namespace
 
 double cell_weight(std::uint64_t n, double x) {
-    check(n, x);
+    require_sample(n, x);
     if (n == 1) return 1;
     const double count = static_cast<double>(n);
     // 1 − x is exact for x ≥ 1/2; below, its rounding moves x^{N−1}, which is at most 2^{1−N}, by less than 2^-53.
@@ -36,7 +36,7 @@ double cell_weight(std::uint64_t n, double x) {
 }
 
 double stratified_cell_weight(std::uint64_t n, double x) {
-    check(n, x);
+    require_sample(n, x);
     if (n == 1) return 1;
     const double count = static_cast<double>(n);
     // The first sample's cell reaches from 0 half-way to its neighbour, whose mean position is 3/(2N).

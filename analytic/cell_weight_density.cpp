@@ -8,7 +8,7 @@
 namespace plumb {
 namespace {
 
-void check(std::uint64_t n, double x) {
+void require_sample(std::uint64_t n, double x) {
     if (n == 0) throw Error("a cell weight for 0 samples; at least 1 is needed");
     if (!(x >= 0 && x <= 1)) throw Error(fmt::format("a cell weight at x = {}; x must lie in [0, 1]", x));
 }
@@ -45,7 +45,7 @@ double curvature_bound(double n, const Density1D& density) {
 }  // namespace
 
 BoundedValue cell_weight_by_quadrature(std::uint64_t n, double x, const Density1D& density, int panels) {
-    check(n, x);
+    require_sample(n, x);
     if (panels < 1) throw Error(fmt::format("{} panels; at least 1 is needed", panels));
     const double count = static_cast<double>(n), cdf = density.cdf(x);
     const double integral = one_side(count, x, cdf, 0, density, panels) + one_side(count, x, cdf, 1, density, panels);
@@ -53,7 +53,7 @@ BoundedValue cell_weight_by_quadrature(std::uint64_t n, double x, const Density1
 }
 
 double piecewise_cell_weight(std::uint64_t n, double x, const StepDensity& density) {
-    check(n, x);
+    require_sample(n, x);
     const double count = static_cast<double>(n), cdf = density.invert(x);
     const auto nearer = [&](double z) { return 1 - std::abs(cdf - density.invert(z)); };
     double integral = 0;  // times N: on a piece of density p, ∫ q^{N−1} dz = |q_1^N − q_0^N|/(N p)

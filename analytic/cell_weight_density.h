@@ -16,6 +16,7 @@ namespace plumb {
 ///
 /// F the distribution function. For F(z) = z this is [thesis, eq. 4.6].
 
+/// A density on [0,1] as g sees it: the pdf with its distribution function.
 struct Density1D {
     std::function<double(double)> pdf, cdf;
     double largest = 0;    ///< sup p
@@ -23,6 +24,7 @@ struct Density1D {
     double lipschitz = 0;  ///< sup |p'|
 };
 
+/// A number with a bound of its error.
 struct BoundedValue {
     double value = 0, error = 0;  ///< the truth lies within value ± error
 };

@@ -9,6 +9,7 @@
 
 namespace plumb {
 
+/// The exact expectation and variance of an estimator, and how many outcomes they are from.
 struct ExactMoments {
     Rational mean, variance;
     std::uint64_t outcomes = 0;  ///< leaves of the decision tree with positive probability

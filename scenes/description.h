@@ -24,6 +24,7 @@ struct Note {
     std::string text;
 };
 
+/// A scene as its file describes it.
 struct Scene {
     std::vector<Texture> textures;
     std::vector<Material> materials;

@@ -24,6 +24,7 @@ bool names_scene(const std::string& on);
 /// Throws Error for a name that is no INTEGRATOR or INTEGRATOR+SAMPLER.
 void check_scene_methods(const std::vector<std::string>& estimators);
 
+/// The series of one part of a scene, with the truth that they are measured against.
 struct SceneSeries {
     std::vector<Series> series;
     double truth = 0;

@@ -14,6 +14,7 @@
 
 namespace plumb {
 
+/// The setting of a run of the catalogue.
 struct RunSetting {
     std::uint64_t seed = 0;
     double alpha = 1e-4;  ///< false-alarm budget of the whole run

@@ -21,6 +21,7 @@ struct ConvergencePoint {
     double log_mse_error = 0;  ///< standard error of log(mse), NaN where mse is not positive
 };
 
+/// The slope of log MSE on log n, with its error.
 struct Slope {
     double value = std::numeric_limits<double>::quiet_NaN();
     double standard_error = std::numeric_limits<double>::quiet_NaN();

@@ -43,6 +43,7 @@ Verdict radiance_scales_by_eta_squared(const BsdfSubject& bsdf, const BsdfTraits
 /// For a coloured model the largest lane counts at each direction.
 Verdict conserves_energy(const BsdfSubject& bsdf, const BsdfTraits& traits, double tolerance = 1e-3);
 
+/// The verdict on one property of a model.
 struct NamedVerdict {
     std::string property;
     Verdict verdict;

@@ -5,10 +5,12 @@
 
 namespace plumb::checks {
 
+/// A rectangle of the plane over which is integrated.
 struct Rectangle {
     double x_low, x_high, y_low, y_high;
 };
 
+/// The integrals over rectangles, with an estimate of their error.
 struct Cubature {
     std::vector<double> values;  ///< of the integral over each rectangle given
     double total = 0;

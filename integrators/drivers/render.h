@@ -6,6 +6,7 @@
 
 namespace plumb {
 
+/// A finished render: its film, and the rays that it took.
 struct Rendered {
     Film film;
     std::uint64_t rays = 0;

@@ -13,6 +13,7 @@ struct OutcomeChange {
     Outcome before, after;
 };
 
+/// The differences between two runs, as far as their verdicts go.
 struct Differences {
     std::vector<OutcomeChange> claims, mutants;  ///< in both runs, with different outcomes
     std::vector<std::string> added, removed;     ///< claims in one of the two runs only

@@ -11,6 +11,7 @@
 // The axes of a figure of error against work: the only place that computes what plots, tables and the page show.
 namespace plumb::reports {
 
+/// The quantities of work that an axis of a figure can count.
 enum class Work { n, evaluations, seconds };
 struct WorkAxis {
     const char *name, *label;
@@ -31,6 +32,7 @@ struct Measured {
     double value = 0, low = 0, high = 0;
 };
 
+/// The quantities of error that a figure can show.
 enum class Metric {
     mse,
     rmse,

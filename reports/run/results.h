@@ -26,6 +26,7 @@ struct RunInfo {
     double seconds = 0;          ///< wall clock
 };
 
+/// A claim with its verdict, as a report shows it.
 struct ClaimResult {
     std::string id, statement, source;
     Kind kind = Kind::exact;
@@ -36,6 +37,7 @@ struct ClaimResult {
     std::uint64_t position = 0;  ///< among the claims and mutants that were selected, in catalogue order
 };
 
+/// A mutant with its verdict, as a report shows it.
 struct MutantResult {
     std::string id;      ///< claim-id/mutant-id
     std::string of;      ///< the claim that must refute it
@@ -63,6 +65,7 @@ struct Results {
 /// The results without what may differ between two runs of one seed: when, how long, on how many threads.
 Results without_side_records(Results results);
 
+/// The number of claims by outcome, of mutants, and of mutants that were refuted.
 struct Tally {
     std::size_t holds = 0, refuted = 0, undecided = 0;
     std::size_t mutants = 0, killed = 0;

@@ -12,6 +12,7 @@
 // what words say already, and is for terminals only.
 namespace plumb::reports {
 
+/// The appearance of a table: whether in colour, and how wide in columns.
 struct TableStyle {
     bool colour = false;
     int width = 120;

@@ -28,11 +28,13 @@ struct FigurePanel {
     std::string unit = "evaluations of the integrand";  ///< what Work::evaluations counts
 };
 
+/// A figure with its panels, measured.
 struct FigureResult {
     FigureText about;
     std::vector<FigurePanel> panels;
 };
 
+/// The text of a study: what it is called, what it asks and where that comes from.
 struct StudyText {
     std::string name, title, text, source;
 };

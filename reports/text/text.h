@@ -24,6 +24,7 @@ std::string readable_count(std::uint64_t count);
 std::string readable(const Interval& interval);
 
 enum class Align { left, right };
+/// A column of a table.
 struct Column {
     std::string heading;
     Align align = Align::left;

@@ -21,7 +21,9 @@ namespace plumb {
 //   ∫ pdf + discrete + lost = 1, where lost is the probability of an empty sample;
 //   everything is lane by lane in Spectrum; a closure is a small value of numbers (textures are resolved before).
 
+/// The quantity that a path carries: radiance on its way from the sensor, importance on its way from a light.
 enum class Transport { radiance, importance };
+/// The measure of a density: per steradian, or a probability where directions are discrete.
 enum class Measure { solid_angle, discrete };
 
 /// The mirror image of wo at the plane z = 0.

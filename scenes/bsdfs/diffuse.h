@@ -24,6 +24,7 @@ static_assert(NamedBsdfModel<Diffuse>);
 
 namespace description {
 
+/// A diffuse material, with a reflectance that may be textured.
 struct Diffuse {
     Colour reflectance = Spectrum::grey(0.5);
 

@@ -4,6 +4,7 @@
 
 namespace plumb {
 
+/// The light that a smooth interface reflects, and the direction of the rest.
 struct DielectricFresnel {
     double reflectance;  ///< of unpolarised light; the rest is transmitted
     double cos_t;        ///< of the refracted direction, in [0, 1]; 0 when all is reflected

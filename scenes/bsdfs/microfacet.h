@@ -6,6 +6,7 @@
 
 namespace plumb {
 
+/// The distributions of microfacet slopes that closures know.
 enum class MicrofacetShape { ggx, beckmann };
 
 /// An isotropic distribution of microfacet normals m, with Smith's masking [Heitz 2014]. Normals lie above (m.z > 0);

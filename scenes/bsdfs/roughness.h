@@ -5,6 +5,7 @@
 
 namespace plumb::description {
 
+/// The distributions of microfacet slopes that scene files can name.
 enum class Microfacets { beckmann, ggx };
 
 /// The distribution of facets that all rough materials have.

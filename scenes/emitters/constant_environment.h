@@ -36,6 +36,7 @@ static_assert(LightModel<ConstantEnvironment>);
 
 namespace description {
 
+/// The emitter `constant` of scene files.
 struct ConstantSky {
     Spectrum radiance = Spectrum::grey(1);
 

@@ -16,7 +16,7 @@ std::size_t cell_at(double place, std::size_t cells) {
     return std::min(static_cast<std::size_t>(place * static_cast<double>(cells)), cells - 1);
 }
 
-void check(std::size_t width, std::size_t height, const std::vector<Spectrum>& pixels) {
+void require_radiances(std::size_t width, std::size_t height, const std::vector<Spectrum>& pixels) {
     if (width == 0 || height == 0 || pixels.size() != width * height)
         throw Error(
             fmt::format("environment map of {} x {} with {} pixels: both sizes must be positive, with a "
@@ -35,7 +35,7 @@ void check(std::size_t width, std::size_t height, const std::vector<Spectrum>& p
 
 EnvironmentMap::EnvironmentMap(std::size_t width, std::size_t height, std::vector<Spectrum> pixels, const Frame& frame)
     : width_(width), height_(height), pixels_(std::move(pixels)), frame_(frame) {
-    check(width_, height_, pixels_);
+    require_radiances(width_, height_, pixels_);
     std::vector<double> row_weights(height_), weights(width_);
     for (std::size_t j = 0; j < height_; ++j) {
         for (std::size_t i = 0; i < width_; ++i) weights[i] = luminance(cell_mean(i, j));

@@ -25,6 +25,7 @@ namespace plumb {
 //   environments, being nowhere, from the disk that touches a ball around the scene and faces it: the direction first,
 //   then the point of the disk, per area. The weight  L cos θ / (pdf_area · pdf_direction)  is the ray's flux.
 
+/// The kinds of lights: with a surface that rays hit, a point, or all directions from afar.
 enum class LightKind { surface, point, environment };
 
 /// A direction in which light arrives at `from`, drawn by the light.

@@ -37,6 +37,7 @@ static_assert(LightModel<PointLight>);
 
 namespace description {
 
+/// The emitter `point` of scene files.
 struct PointLight {
     Vec3 position;
     Spectrum intensity = Spectrum::grey(1);  ///< W/sr

@@ -2,6 +2,7 @@
 
 namespace plumb {
 
+/// The size of a film.
 struct FilmSize {
     int width, height;  ///< pixels
 };

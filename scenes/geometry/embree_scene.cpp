@@ -88,7 +88,7 @@ void occluding(const RTCOccludedFunctionNArguments* args) {
     if (intersect_analytic(*static_cast<const Shape*>(args->geometryUserPtr), widened(ray))) ray.tfar = -HUGE_VALF;
 }
 
-void check(const Mesh& mesh, const Shape& shape) {
+void require_sound(const Mesh& mesh, const Shape& shape) {
     const auto size = static_cast<std::uint32_t>(mesh.positions.size());
     for (const auto& triangle : mesh.triangles) {
         for (const std::uint32_t vertex : triangle) {
@@ -128,7 +128,7 @@ struct EmbreeScene::State {
     void attach(std::uint32_t index) {
         const Shape& shape = shapes[index];
         const Mesh* const mesh = std::get_if<Mesh>(&shape.geometry);
-        if (mesh) check(*mesh, shape);
+        if (mesh) require_sound(*mesh, shape);
         RTCGeometry geometry = rtcNewGeometry(device.get(), mesh ? RTC_GEOMETRY_TYPE_TRIANGLE : RTC_GEOMETRY_TYPE_USER);
         if (mesh) {
             fill(geometry, *mesh);

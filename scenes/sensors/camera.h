@@ -8,6 +8,7 @@
 // The cameras of scene files share what follows.
 namespace plumb::description {
 
+/// A film as the file has it: its size and its reconstruction filter.
 struct Film {
     int width = 768, height = 576;
     Filter filter = GaussianFilter();

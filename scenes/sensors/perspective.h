@@ -28,6 +28,7 @@ static_assert(SensorModel<Perspective>);
 
 namespace description {
 
+/// The sensor `perspective` of scene files.
 struct Perspective {
     double fov_x = 50;  ///< full horizontal angle in degrees, whatever axis the file spoke of
 

@@ -32,7 +32,7 @@ TEST(Sensors, ConnectAlongTheirOwnRays) {
     const Perspective pinhole(pose, {40, 30}, 70);
     const ThinLens lens(pose, {40, 30}, 70, 0.3, 4);
     const Point<2> film{11.25, 7.5}, u{0.2, 0.9};
-    const auto check = [&](const auto& sensor) {
+    const auto expect_own_ray = [&](const auto& sensor) {
         const Ray ray = sensor.sample_ray(film, u);
         const auto back = sensor.connect(ray.origin + ray.direction * 6.0, u);
         ASSERT_TRUE(back);
@@ -43,8 +43,8 @@ TEST(Sensors, ConnectAlongTheirOwnRays) {
         EXPECT_FALSE(sensor.connect(ray.origin - ray.direction * 6.0, u));
         EXPECT_EQ(sensor.pdf({ray.origin, -ray.direction}), 0);
     };
-    check(pinhole);
-    check(lens);
+    expect_own_ray(pinhole);
+    expect_own_ray(lens);
 }
 
 TEST(Sensors, RefuseWhatIsNoCamera) {

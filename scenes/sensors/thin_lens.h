@@ -37,6 +37,7 @@ static_assert(SensorModel<ThinLens>);
 
 namespace description {
 
+/// The sensor `thinlens` of scene files.
 struct ThinLens {
     double fov_x = 50;  ///< full horizontal angle in degrees, whatever axis the file spoke of
     double aperture_radius = 0, focus_distance = 1;

@@ -12,6 +12,7 @@ struct BitmapLookup;
 
 namespace description {
 
+/// The continuation of a picture beyond its edges.
 enum class Wrap { repeat, mirror, clamp };
 
 /// A picture from a file, as a texture.

@@ -16,6 +16,7 @@ namespace plumb {
 /// One independent run of an estimator with n samples.
 using Replicate = std::function<Estimate(std::uint64_t n, RandomStream&)>;
 
+/// The setting of a measurement of error against n.
 struct ConvergenceSetting {
     std::string estimator, integrand;  ///< names for the series
     double truth = 0;                  ///< the known integral: the MSE is about it and divides by R

@@ -17,6 +17,7 @@ struct CostSetting {
     static constexpr double delta_over_sigma = 0.02;
 };
 
+/// The cost of verdicts at one bias: the mean over simulated runs, with the shares of outcomes.
 struct CostOfAVerdict {
     double bias = 0;  ///< r, in units of delta
     double mean_samples = 0, standard_error = 0;

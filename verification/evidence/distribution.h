@@ -16,6 +16,7 @@ namespace plumb {
 /// 0 … cells−1 counts as a hit where the density is zero and refutes.
 using DrawCell = std::function<std::size_t(RandomStream&)>;
 
+/// A claim that samples fall into cells with these probabilities.
 struct DistributionClaim {
     std::vector<double> probabilities;  ///< of the cells; must sum to 1 within 1e-9, zeros allowed
     double delta = 0;                   ///< the effect size phi = sqrt(sum (p−q)²/q) that `holds` excludes

@@ -14,6 +14,7 @@ namespace plumb {
 /// It takes all its randomness from the stream, which is its own.
 using Draw = std::function<double(RandomStream&)>;
 
+/// A claim that an expectation is the reference, within epsilon.
 struct MeanClaim {
     double reference = 0;
     double delta = 0;               ///< the bias that `holds` excludes; absolute, in the unit of the values
@@ -28,6 +29,7 @@ struct MeanClaim {
 /// docs/statistics.md, "Mean claims".
 Verdict mean_is(const Draw& draw, const MeanClaim& claim, const Run& run);
 
+/// A claim that an expectation is at most a bound.
 struct AtMostClaim {
     double bound = 0;   ///< the expectation is claimed to be at most this
     double margin = 0;  ///< how far below it is expected to lie; sets the size of the bets, not the risks

@@ -6,6 +6,7 @@
 
 namespace plumb {
 
+/// A claim that variance × cost of one estimator, over that of another, lies in this interval.
 struct RatioClaim {
     Interval ratio;  ///< of (variance × cost) of a to that of b
     double cost_a = 1, cost_b = 1;

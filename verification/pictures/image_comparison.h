@@ -23,9 +23,11 @@ struct ComparisonSettings {
     int tile = 0;  ///< edge in pixels; 0: about 256 tiles, and at least four times the reach of correlations
 };
 
+/// The state of a tile: whether both pictures agree there, or why that is not known.
 enum class TileState { same, differs, too_noisy, heavy_tails, no_variance, no_pixels, poorly_known };
 std::string to_string(TileState state);
 
+/// The test of one tile in one channel.
 struct TileTest {
     PixelBox box;
     std::size_t channel = 0;
@@ -34,6 +36,7 @@ struct TileTest {
     MeanDifference found = {};
 };
 
+/// The tests of one channel over the whole picture.
 struct ChannelTest {
     std::string channel;
     MeanDifference mean = {};  ///< over the picture
@@ -49,6 +52,7 @@ struct AlikenessTest {
     double p_value = 1;
 };
 
+/// The comparison of two pictures: its verdict, and everything that led to it.
 struct ImageComparison {
     Verdict verdict = {};
     int tile = 0, columns = 0, rows = 0;

@@ -16,18 +16,21 @@ struct KnownValue {
     double error = 0;                    ///< by which a value may be wrong
 };
 
+/// The risks and the tolerance with which a picture is held to known values.
 struct CheckSettings {
     double alpha = 1e-4;  ///< of refuting a picture whose values are all right within delta
     double beta = 0.01;   ///< of `holds` when a value is off by delta or more
     double delta = 0.01;  ///< by which a value may be off, relative to what is known (docs/compare.md)
 };
 
+/// The test of one known value in one channel.
 struct CheckedValue {
     std::size_t known = 0, channel = 0;
     TileState state = TileState::no_pixels;
     MeanDifference found = {};  ///< a is the picture's value, b the known one
 };
 
+/// The test of a picture against all known values.
 struct ValuesCheck {
     Verdict verdict = {};
     std::vector<CheckedValue> values = {};  ///< known by known, channel by channel

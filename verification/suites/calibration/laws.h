@@ -23,6 +23,7 @@ constexpr double aim = 1.3;  ///< a rate may exceed its level by at most this fa
 struct TiltedValue {
     double x, t;
 };
+/// A tilt at one theta: the coefficients of log dP_0/dP_theta = b + a t.
 struct Tilt {
     double a, b;
 };
@@ -56,6 +57,7 @@ TiltedLaw lognormal(double s);  ///< exp(s Z)
 /// A value uniform in [0, 1), but larger by 4 … 8 with probability 1/50: skewness 6.
 TiltedLaw spikes();
 
+/// The outcome of one simulated run of a test.
 struct SimulatedRun {
     bool refuted = false, holds = false;
     double weight = 1;  ///< dP_0 / dP_mixture along the samples used
