@@ -184,7 +184,7 @@ Reproduction gather(const std::vector<FigureTask>& tasks, const reports::RunInfo
 reports::RunInfo newest_reproduction(const Path& store) {
     const std::vector<reports::StoredRun> runs = reports::Store(store, reports::Store::Access::read).runs();
     const auto newest = std::find_if(runs.rbegin(), runs.rend(), is_reproduction);
-    if (newest == runs.rend()) throw Error(fmt::format("{}: has no reproduction to go on with", store.string()));
+    if (newest == runs.rend()) throw Error(fmt::format("{}: no reproduction is there to go on with", store.string()));
     return newest->run;
 }
 

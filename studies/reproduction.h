@@ -28,7 +28,7 @@ struct FigureTask {
 /// has as many; the full one those that the study says. Throws Error for a pattern that selects nothing.
 std::vector<FigureTask> figure_tasks(const std::vector<std::pair<std::string, std::string>>& names_and_texts, Size size,
                                      const std::vector<std::string>& patterns);
-/// The figures of the studies that come with Plumb.
+/// Of the studies that come with Plumb.
 std::vector<FigureTask> shipped_figure_tasks(Size size, const std::vector<std::string>& patterns);
 
 /// Measures the shard's part of what no store has yet for this seed, size and version, and adds it to the store as it
@@ -46,7 +46,7 @@ struct Reproduction {
 Reproduction gather(const std::vector<FigureTask>& tasks, const reports::RunInfo& run,
                     const std::vector<std::filesystem::path>& stores);
 
-/// The seed and size of the newest reproduction in a store; throws Error where there is none.
+/// Seed and size of the newest reproduction in a store; throws Error where it has none.
 reports::RunInfo newest_reproduction(const std::filesystem::path& store);
 
 }  // namespace plumb

@@ -171,7 +171,7 @@ SceneSeries measure_scene(const std::string& on, const SceneMeasure& measure, co
         const std::optional<int> longest = longest_path(methods.front());
         for (const Method& method : methods)
             if (longest_path(method) != longest)
-                throw Error(fmt::format("{} and {} have paths of different lengths, so that no reference fits both",
+                throw Error(fmt::format("{} and {} have paths of other lengths, so that no reference is both's",
                                         methods.front().id, method.id));
         truth =
             truth_of(reference_picture(measure, place.scene, identity_of(place.scene, scene.description()), longest),

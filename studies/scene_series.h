@@ -9,7 +9,7 @@
 
 namespace plumb {
 
-/// The integrators that are measured, and the truth that they are measured against.
+/// Which integrators are measured, and against what.
 struct SceneMeasure {
     std::vector<std::string> estimators;  ///< INTEGRATOR or INTEGRATOR+SAMPLER
     std::vector<std::uint64_t> n;
@@ -24,7 +24,6 @@ bool names_scene(const std::string& on);
 /// Throws Error for a name that is no INTEGRATOR or INTEGRATOR+SAMPLER.
 void check_scene_methods(const std::vector<std::string>& estimators);
 
-/// The series of one part of a scene, with the truth that they are measured against.
 struct SceneSeries {
     std::vector<Series> series;
     double truth = 0;

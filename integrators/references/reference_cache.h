@@ -22,8 +22,8 @@ std::filesystem::path reference_file(const std::filesystem::path& cache, const P
 /// version of Plumb made.
 std::optional<Reference> find_reference(const std::filesystem::path& cache, const Provenance& wanted);
 
-/// The reference of a scene for paths of these lengths (empty: of any), by the first of reference_integrators() that
-/// has one. Throws Error that says how to make one for `asked`, a file or a shipped name.
+/// Of a scene, that of paths of these lengths (empty: of any) by the first of reference_integrators() that has one.
+/// Throws Error saying how to make one of what was asked for: a file, or a shipped name.
 Reference require_reference(const std::filesystem::path& cache, const Provenance& scene,
                             std::optional<int> longest_path, const std::string& asked);
 

@@ -7,10 +7,10 @@
 
 namespace plumb {
 
-/// The name and hash of a scene's file or shipped scene, with this program's version; the caller says the rest of the
-/// provenance. Reads the file. Throws Error.
+/// Name, hash and this program's version for a scene's file or shipped name; the rest of it is for the caller to say.
+/// Reads the file. Throws Error.
 Provenance identity_of(const std::string& scene, const LoadOptions& options);
-/// The same for a scene that is loaded.
+/// Of a scene that is loaded.
 Provenance identity_of(const std::string& scene, const description::Scene& loaded);
 
 }  // namespace plumb

@@ -8,8 +8,8 @@
 
 namespace plumb::reports {
 
-/// The run whose shards these stores hold, as one run without shards would have given it, except for the side records
-/// (`started` of the first shard, the sum of the seconds). The newest run of each store counts, with the other shards
+/// The run whose shards these stores hold, as one run without shards would have given it but for the side records
+/// (`started` of the first shard, the sum of the seconds). Of each store the newest run counts, with the other shards
 /// of the same run that the store has. Throws Error for a shard that is missing or unfinished, for stores of different
 /// runs, and for two results of one shard that differ.
 Results merge_shards(const std::vector<std::filesystem::path>& stores);

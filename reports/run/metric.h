@@ -32,7 +32,6 @@ struct Measured {
     double value = 0, low = 0, high = 0;
 };
 
-/// The quantities of error that a figure can show.
 enum class Metric {
     mse,
     rmse,

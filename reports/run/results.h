@@ -26,7 +26,6 @@ struct RunInfo {
     double seconds = 0;          ///< wall clock
 };
 
-/// A claim with its verdict, as a report shows it.
 struct ClaimResult {
     std::string id, statement, source;
     Kind kind = Kind::exact;

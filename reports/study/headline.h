@@ -46,8 +46,8 @@ std::string headline_summary(const std::vector<Headline>& headlines);
 
 /// The headlines as text, a line for each, then the summary; nothing when there are none.
 std::string headline_table(const std::vector<Headline>& headlines, const TableStyle& style = {});
-/// The headlines as CSV with the columns source, place, states, figure, measure, stated_low, stated_high, measured,
-/// low, high, outcome, reason, remark. RFC 4180; what is unknown or unbounded is an empty cell.
+/// Its rows: source, place, states, figure, measure, stated_low, stated_high, measured, low, high, outcome, reason,
+/// remark. RFC 4180; what is unknown or unbounded is an empty cell.
 std::string headline_csv(const std::vector<Headline>& headlines);
 
 }  // namespace plumb::reports

@@ -1,4 +1,4 @@
-// The classes of paths that `path`, `light` and `bdpt` make agree with the predicate that says so, by what they find in
+// Which classes of paths `path`, `light` and `bdpt` make, against the predicate that says so: by what they find in
 // scenes of pure materials.
 
 #include <map>
@@ -87,10 +87,9 @@ const char* name_of(Transporter transporter) {
     return transporter == Transporter::path ? "path" : transporter == Transporter::light ? "light" : "bdpt";
 }
 
-// A class that one integrator makes in one of 1,000 paths must be made by each integrator of which the predicate says
-// so, and by no other. An integrator that has not found a class yet looks on: of the classes that the scenes have so
-// often, any other integrator makes the rarest in 3 of 10,000 paths, so that `most_paths` miss it with a probability of
-// e^-60.
+// What an integrator makes in one of 1,000 paths, each must make that the predicate says, and none may make another.
+// Who has not found a class yet looks on: of those that the scenes have so often, any other integrator makes the rarest
+// in 3 of 10,000 paths, so that `most_paths` miss it with a probability of e^-60.
 Verdict classes_are(Predicate predicate, const Run& run) {
     constexpr std::uint32_t most_paths = 200'000;
     const auto at_once = run.pick(10'000u, 100'000u);
@@ -151,8 +150,8 @@ bool no_caustics_of_points(Transporter transporter, const PathClass& path) {
 void add_transport_classes(Catalogue& catalogue) {
     catalogue.add({.id = "render/path-classes/predicate",
                    .statement =
-                       "Of the classes that 0.1 % of paths belong to, `path`, `light` and `bdpt` make those that the "
-                       "predicate says; the search misses one that is made with a risk of about e^-60.",
+                       "`path`, `light` and `bdpt` make the classes of paths that the predicate says, of those "
+                       "in 0.1 % of paths; the search misses one that is made with a risk of about e^-60.",
                    .source = "ours, integrators/references/path_classes.h",
                    .kind = Kind::exact,
                    .trial = {classes_are,

@@ -28,9 +28,9 @@ void for_each_path(const Scene& scene, const Run& run, const std::function<void(
 
 // ---- densities from scratch, for a path without mirrors
 
-// The distance by which a ray from x that meets y, or from y that meets x, may miss the line between the two: it starts
-// off its surface, and its direction and the point that it meets are rounded (scenes/geometry/surface_point.h: `margin`
-// bounds the rounding within the plane of a triangle).
+// By how far a ray from x that meets y, or from y that meets x, may miss the line between the two: it starts off its
+// surface, and its direction and the point that it meets are rounded (scenes/geometry/surface_point.h: `margin` bounds
+// the rounding within the plane of a triangle).
 double miss(const SubpathVertex& x, const SubpathVertex& y) {
     constexpr double of_floats = 0x1p-21;
     constexpr auto environment = SubpathVertex::Kind::environment;
