@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 
 class ExplainCommand : public CommandTest {
 protected:
-    /// Of the sample, as `plumb explain` writes it.
+    /// The JSON of the sample, as `plumb explain` writes it.
     [[nodiscard]] Json told(const std::string& arguments) const {
         const Said said = plumb("explain " + arguments + " --json told.json");
         EXPECT_EQ(said.exit_code, 0) << said.error;

@@ -16,7 +16,7 @@ RenderJob job_of(const Scene& scene, const PathEstimator& estimator, const Rende
 
 RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_pixel) {
     if (samples_per_pixel < 1) throw Error("0 samples a pixel; accepted are 1 and more");
-    // Of two divisors as near to 16 as each other by ratio, the one with more samples a pass.
+    // Where two divisors are equally near to 16 by ratio, the one with more samples a pass is taken.
     const auto distance = [](std::uint32_t passes) { return std::abs(std::log2(passes / 16.0)); };
     settings.passes = 1;
     for (std::uint32_t passes = 2; passes <= std::min(samples_per_pixel, 256u); ++passes)

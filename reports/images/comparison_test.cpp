@@ -74,7 +74,7 @@ TEST_F(PageInBrowser, ComparesPictures) {
     EXPECT_EQ(page.saw("sections"), "verdict pictures tiles channels errors");
     EXPECT_EQ(page.saw("overflow"), "0");
     EXPECT_EQ(page.saw("wrong-numbers"), "false");
-    // Of pixel (1, 1): a is (0.5, 0.25, 0.125), b (0.25, 0.25, 0.125); sRGB of ½, ¼ and ⅛ is 188, 137 and 99.
+    // In pixel (1, 1) a is (0.5, 0.25, 0.125), b (0.25, 0.25, 0.125); sRGB of ½, ¼ and ⅛ is 188, 137 and 99.
     EXPECT_EQ(page.saw("a"), "188,137,99");
     EXPECT_EQ(page.saw("b"), "137,137,99");
     EXPECT_EQ(page.saw("difference"), page.saw("third"));

@@ -30,7 +30,7 @@ class MeanOverPixels {
 public:
     explicit MeanOverPixels(std::size_t renders) : block_(renders), total_(renders) {}
 
-    /// Of the next pixel, by the render of this number.
+    /// Adds a value of the next pixel, by the render of this number.
     void add(std::size_t render, double value) { block_[render] += value; }
     void end_block(double pixels) {
         if (pixels == 0) return;

@@ -43,7 +43,7 @@ TEST(KnownValues, BetweenPixelsAreMeansOfThose) {
     EXPECT_NEAR(checked(picture, {.x = 0, .y = 32, .value = {1}}).found.a, 0.5 + 315, 1e-12);
 }
 
-/// Of a value 100 with delta 1: is the deviation allowed, and are the errors small enough to tell?
+/// The cases of a value 100 with delta 1: is the deviation allowed, and are the errors small enough to tell?
 TEST(KnownValues, AreHeldToDelta) {
     const auto state = [](double value, double sigma, double degrees, double error = 0) {
         Picture picture = slope(sigma * sigma, degrees);
