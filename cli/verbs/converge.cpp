@@ -73,7 +73,7 @@ std::vector<Series> measure_all(const std::string& on, const Options& options, c
     return series;
 }
 
-// Measures images that somebody has, in place of estimators and integrands.
+// Of images that somebody has, in place of estimators and integrands.
 int converge_images(const Options& options) {
     require_writable({options.json, options.report});
     const ImageSeries measured = measure_images(options.images, options.reference);

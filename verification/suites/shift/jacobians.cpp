@@ -19,7 +19,7 @@ bool single_lobe(const PathVertex& vertex) {
            std::holds_alternative<RoughConductor>(vertex.bsdf.model);
 }
 
-// The number of the square's triangle, of four, in each of which the map to the disk is smooth.
+// Of the square's four triangles, in each of which the map to the disk is smooth.
 int triangle_of(double u, double v) {
     const double a = 2 * u - 1, b = 2 * v - 1;
     return 2 * (a + b > 0) + (a - b > 0);
@@ -28,7 +28,7 @@ bool apart(const Numbers& a, const Numbers& b) {
     return triangle_of(a[0], a[1]) != triangle_of(b[0], b[1]) || triangle_of(a[2], a[3]) != triangle_of(b[2], b[3]);
 }
 
-// The determinant of the leading rows and columns, by Gauss's elimination.
+// Of the leading rows and columns, by Gauss's elimination.
 double determinant(std::array<Numbers, 4> columns, std::size_t size) {
     double product = 1;
     for (std::size_t i = 0; i < size; ++i) {
@@ -61,8 +61,7 @@ public:
         jacobians_ = {shifted_.parts[k()].jacobian, four_ ? shifted_.parts[k() + 1].jacobian : 0};
     }
 
-    // Measures the relative error of the Jacobian of the part at the connection, and of those behind it where there are
-    // any.
+    // Of the part at the connection, and of those behind it where there are any: the relative error of the Jacobian.
     void measure(std::vector<double>& errors);
 
 private:

@@ -14,7 +14,7 @@ double relative(const Spectrum& found, const Spectrum& truth) {
     return std::abs(luminance(found) - luminance(truth)) / (luminance(found) + luminance(truth) + 1e-300);
 }
 
-// The largest of three deviations for each valid part at or behind the connection: of its light from what `path` finds
+// Of each valid part at or behind the connection, the largest of three deviations: of its light from what `path` finds
 // there, of the light of the shift back from the base's, of the product of both Jacobians from 1.
 struct RoundTrip {
     const PixelPair& pixels;
