@@ -9,7 +9,7 @@
 
 namespace plumb {
 
-/// The look-up that makes a function of pixels.
+/// The lookup that makes a function of pixels.
 enum class Lookup {
     nearest,   ///< the pixel that holds the point
     bilinear,  ///< linear between the centres of pixels, constant in the half pixel along the border

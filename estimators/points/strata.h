@@ -5,7 +5,7 @@
 namespace plumb {
 
 /// Equal strata of [0,1): stratum i of n is [stratum_edge(i, n), stratum_edge(i + 1, n)). Its edges are i/n rounded to
-/// double, so that edges, samples and look-up agree to the last bit whatever n.
+/// double, so that edges, samples and lookup agree to the last bit whatever n.
 double stratum_edge(std::uint64_t i, std::uint64_t n);
 
 /// The fraction u in [0,1) of the way through stratum i of n; never rounded into the next stratum, nor to 1.

@@ -20,7 +20,7 @@ struct PathState {
 Spectrum met_light(const Scene& scene, const NextEvent& next_event, const PathState& state,
                    const std::optional<Hit>& hit, double density, const PathRecord& record);
 
-/// Path tracing: next event estimation and BSDF samples with multiple importance sampling at each vertex. Light behind
+/// Path tracing: next-event estimation and BSDF samples with multiple importance sampling at each vertex. Light behind
 /// mirrors counts even where no sample of the BSDF is to find light: nothing else would
 /// [Kajiya 1986; Veach & Guibas 1995].
 struct PathTracer final : PathEstimator {

@@ -48,7 +48,7 @@ std::vector<double> equal_cell_masses(const std::function<double(double)>& pdf, 
 
 /// The increments of the CDF are the integrals of the pdf, and the last value is 1.
 Verdict pdf_is_derivative(const DensityFunctions& density) {
-    constexpr std::size_t cells = 60;  // a multiple of the steps of the piecewise constant density
+    constexpr std::size_t cells = 60;  // a multiple of the steps of the piecewise-constant density
     const std::vector<double> masses = equal_cell_masses(density.pdf, cells);
     std::vector<BoundedCase> errors{{"whole interval", std::abs(density.invert(1) - density.invert(0) - 1)}};
     for (std::size_t i = 0; i < cells; ++i) {
@@ -96,7 +96,7 @@ std::vector<DensityCase> density_cases() {
          [](double u) { return std::min(-std::log1p(-u) / 3, 1 - 0x1p-53); },
          "Draws of the untruncated exponential beyond 1 are moved to 1.",
          functions_of(TruncatedExponential(3.25)).sample, "The rate is 3.25, not 3."},
-        {"steps", "The piecewise constant density", "ours, estimators/densities/piecewise_constant.h",
+        {"steps", "The piecewise-constant density", "ours, estimators/densities/piecewise_constant.h",
          functions_of(PiecewiseConstant(steps)), steps_mutant, "The probability of a cell is not divided by its width.",
          functions_of(PiecewiseConstant(rotated)).sample, "The cells are off by one.",
          functions_of(PiecewiseConstant(std::vector<double>{2.4, 0, 5, 1, 4, 3})).sample,

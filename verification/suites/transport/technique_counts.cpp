@@ -1,4 +1,4 @@
-// Techniques of next event estimation with counts of samples of their own, 0 among them, by several heuristics:
+// Techniques of next-event estimation with counts of samples of their own, 0 among them, by several heuristics:
 // `direct` and `path` find the same light by all.
 //
 // Weights by counts of 1 beside samples that are averaged by their counts are no mutant: they too sum to 1.
