@@ -16,7 +16,7 @@ public:
     static constexpr double resolution = 1 / static_cast<double>(__extension__(__int128){1} << fraction_bits);
     /// Whether x can be a term; NaN cannot.
     static bool accepts(double x) { return std::abs(x) < std::ldexp(1.0, term_bits); }
-    /// Adds a term that is accepted.
+    /// x must be accepted.
     void add(double x) { sum_ += static_cast<Integer>(std::nearbyint(x * scale)); }
     void merge(const FixedPointSum& other) { sum_ += other.sum_; }
     __extension__ using Integer = __int128;
