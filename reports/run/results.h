@@ -61,7 +61,7 @@ struct Results {
     std::vector<Series> series = {};  ///< convergence that belongs to no claim (`plumb converge`)
 };
 
-/// The results without what may differ between two runs of one seed: when, how long, on how many threads.
+/// The results less what may differ between two runs of one seed: when, how long, on how many threads.
 Results without_side_records(Results results);
 
 /// The number of claims by outcome, of mutants, and of mutants that were refuted.

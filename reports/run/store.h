@@ -40,7 +40,7 @@ public:
     /// Stores a run as it goes: it begins unfinished and with no verdicts, and returns its number; verdicts are added
     /// as they come, in any order (one that is there already is left as it is); finish() marks it as complete.
     std::int64_t begin(const RunInfo& run, const std::vector<ErratumEntry>& errata);
-    /// Adds verdicts in one transaction; `seconds` is what the run has taken so far.
+    /// Adds in one transaction; `seconds` is what the run has taken so far.
     void add(std::int64_t run, const std::vector<ClaimResult>& claims, const std::vector<MutantResult>& mutants,
              double seconds);
     void finish(std::int64_t run);
