@@ -74,7 +74,7 @@ Drawn Replaced::at(Slot slot) {
 
 namespace {
 
-using Numbers = std::array<double, 3>;
+using Numbers = LobeNumbers;
 
 // By how far the sample of these numbers misses a local direction, along two axes across it.
 struct Miss {
@@ -128,48 +128,43 @@ std::optional<Numbers> by_newton(const PathVertex& vertex, const Frame& target, 
 
 }  // namespace
 
-std::optional<Numbers> numbers_towards(const PathVertex& vertex, Vec3 direction) {
+std::optional<Numbers> numbers_towards(const PathVertex& vertex, Vec3 direction, const std::optional<Numbers>& near) {
     constexpr double last = 1 - 0x1p-53;
     const Vec3 wi = vertex.to_local(direction);
     const Frame target(wi);
     // A cosine lobe is the last, and mirrored with its model.
     const Point<2> cosine = invert_cosine_hemisphere({wi.x, wi.y, std::abs(wi.z)});
     if (const Numbers u{last, cosine[0], cosine[1]}; miss(vertex, target, u).length < 1e-9) return u;
+    if (near) return by_newton(vertex, target, *near);
     for (const double lobe : {0.0, last})
         if (const auto u = by_newton(vertex, target, nearest_start(vertex, target, lobe))) return u;
     return {};
 }
 
-std::optional<NumbersOfShift> numbers_of_shift(const Scene& scene, const BasePath& base, const ShiftedPath& shifted) {
+namespace {
+
+Vec3 turned_by(Vec3 direction, const Point<2>& angles) {
+    const Frame across(direction);
+    return normalize(direction + across.x * angles[0] + across.y * angles[1]);
+}
+
+}  // namespace
+
+std::optional<NumbersOfShift> numbers_of_shift(const Scene& scene, const BasePath& base, const ShiftedPath& shifted,
+                                               const Turned& turned, const NumbersOfShift& near) {
     const std::size_t k = base.connection;
     if (k == 0 || shifted.parts.size() <= k || !shifted.parts[k].valid()) return {};
     const PathVertex& from = shifted.record.vertices[k - 1];
     const auto& scatterings = base.story.scatterings;
-    if (base.record.vertices.size() <= k) {
-        const auto numbers = numbers_towards(from, scatterings[k - 1].direction);
-        return numbers ? std::optional(NumbersOfShift{numbers, {}}) : std::nullopt;
-    }
-    const Connection edge = connection_to(scene, from, base.record.vertices[k].hit);
-    NumbersOfShift numbers{numbers_towards(from, edge.direction), {}};
+    const bool escapes = base.record.vertices.size() <= k;
+    const Connection edge = escapes ? connection_to_environment(from, scatterings[k - 1].direction)
+                                    : connection_to(scene, from, base.record.vertices[k].hit);
+    NumbersOfShift numbers{numbers_towards(from, turned_by(edge.direction, turned.at_connection), near.at_connection),
+                           {}};
     if (!numbers.at_connection) return {};
-    if (scatterings.size() > k && scatterings[k].measure == Measure::solid_angle)
-        numbers.beyond = numbers_towards(*edge.end, scatterings[k].direction);
+    if (!escapes && scatterings.size() > k && scatterings[k].measure == Measure::solid_angle)
+        numbers.beyond = numbers_towards(*edge.end, turned_by(scatterings[k].direction, turned.beyond), near.beyond);
     return numbers;
-}
-
-Verdict nearly_all_agree(const std::vector<std::pair<std::string, std::vector<double>>>& deviations) {
-    constexpr double bound = 0.01;
-    std::vector<BoundedCase> cases;
-    std::size_t count = 0;
-    for (auto [name, sorted] : deviations) {
-        std::ranges::sort(sorted);
-        count += sorted.size();
-        const double most = sorted.empty() ? HUGE_VAL : sorted[(sorted.size() - 1) * 19 / 20];
-        cases.push_back({fmt::format("{}, of {} parts the largest but for 1 in 20", name, sorted.size()), most});
-    }
-    Verdict verdict = within_bound(cases, bound, "relative");
-    verdict.evidence.emplace_back("parts", std::uint64_t{count});
-    return verdict;
 }
 
 std::unique_ptr<PathShift> hybrid(const PathTracer& tracer) {

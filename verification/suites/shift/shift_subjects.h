@@ -36,22 +36,24 @@ private:
 };
 
 /// Numbers by which a vertex scatters in a direction, by its smooth part: the lobe's, and those of the direction. Exact
-/// for cosine lobes, to 1e-12 by Newton's method for the rest; empty where there are none, or it does not converge.
-std::optional<std::array<double, 3>> numbers_towards(const PathVertex& vertex, Vec3 direction);
+/// for cosine lobes, to 1e-12 by Newton's method for the rest, which begins at `near` where that is given; empty where
+/// there are none, or it does not converge.
+using LobeNumbers = std::array<double, 3>;
+std::optional<LobeNumbers> numbers_towards(const PathVertex& vertex, Vec3 direction,
+                                           const std::optional<LobeNumbers>& near = {});
 
 /// Numbers in place of the base's that lead `path` along a shifted path: of the directions at the connection, and at
 /// the vertex behind it, where the path goes on there by a smooth lobe. Empty where the base was not reconnected, or
 /// numbers_towards() is.
 struct NumbersOfShift {
-    std::optional<std::array<double, 3>> at_connection, beyond;
+    std::optional<LobeNumbers> at_connection, beyond;
 };
-std::optional<NumbersOfShift> numbers_of_shift(const Scene& scene, const BasePath& base, const ShiftedPath& shifted);
-
-/// Whether all but 1 in 20 of the relative deviations of each scene are below 1 %; an infinite one is of a path that
-/// leads elsewhere. The rest is left to rounding: rays start a little beside surfaces, which grazing angles, narrow
-/// lobes and curved mirrors magnify without bound; in no scene did more than 1 in 100 of thousands of paths deviate so
-/// far.
-Verdict nearly_all_agree(const std::vector<std::pair<std::string, std::vector<double>>>& deviations);
+/// By how much both directions are turned, in radians, about two axes across each.
+struct Turned {
+    Point<2> at_connection{}, beyond{};
+};
+std::optional<NumbersOfShift> numbers_of_shift(const Scene& scene, const BasePath& base, const ShiftedPath& shifted,
+                                               const Turned& turned = {}, const NumbersOfShift& near = {});
 
 /// A shift for a path tracer, so that a claim can put others in its place.
 using MakeShift = std::function<std::unique_ptr<PathShift>(const PathTracer& tracer)>;

@@ -109,26 +109,22 @@ struct Subject {
     double delta = 0.02;  ///< relative to it
 };
 
-Verdict same_mean(const Subject& subject, const PathEstimator& guided, const Run& run) {
+Verdict as_unguided(const Subject& subject, const PathEstimator& guided, const Run& run) {
     const Scene& scene = veiled_scene();
     const RegionMean plain{scene, *subject.estimator, whole_film(scene), 16, subject.length};
     const RegionMean other{scene, guided, whole_film(scene), 16, subject.length};
-    const auto draw = [&](RandomStream& random) {
-        RandomStream same = random;
-        return other.draw(random) - plain.draw(same);
-    };
-    return mean_is(draw,
-                   {.delta = run.pick(1.0, 0.25) * subject.delta * subject.mean,
-                    .epsilon = 1e-6 * subject.mean,
-                    .cap = run.pick(std::uint64_t{1} << 17, std::uint64_t{1} << 21)},
-                   run);
+    return same_mean(plain, other,
+                     {.delta = run.pick(1.0, 0.25) * subject.delta * subject.mean,
+                      .epsilon = 1e-6 * subject.mean,
+                      .cap = run.pick(std::uint64_t{1} << 17, std::uint64_t{1} << 21)},
+                     run);
 }
 
 constexpr PathLimits limits{.max_edges = 4, .roulette_edges = 2};
 
 void add_guided(Catalogue& catalogue, const Subject& subject, std::vector<Wrong<Told>> wrong) {
     const auto check = [subject](Told told, const Run& run) {
-        return same_mean(subject, Guided(subject.estimator, told), run);
+        return as_unguided(subject, Guided(subject.estimator, told), run);
     };
     wrong.insert(wrong.begin(), {"density-ignored", "Numbers are taken for uniform ones.", of_none});
     catalogue.add({.id = fmt::format("render/{}/guided/veil", subject.name),
@@ -146,8 +142,8 @@ void add_first_hit(Catalogue& catalogue, const std::vector<Subject>& subjects) {
         for (const Subject& subject : subjects) {
             const Made depth = std::make_shared<Depth>(subject.estimator, weighted);
             const Subject seen{subject.name, depth, 1, 2.3};
-            parts.push_back(same_mean(seen, Guided(depth, of_all),
-                                      run.part(subject.name, 1 / static_cast<double>(subjects.size()))));
+            parts.push_back(as_unguided(seen, Guided(depth, of_all),
+                                        run.part(subject.name, 1 / static_cast<double>(subjects.size()))));
         }
         return all_of(std::move(parts));
     };

@@ -29,6 +29,37 @@ FilmRegion whole_film(const Scene& scene) {
     return {0, 0, scene.sensor().film().width, scene.sensor().film().height};
 }
 
+Verdict same_mean(const RegionMean& one, const RegionMean& other, const MeanClaim& claim, const Run& run) {
+    const auto draw = [&](RandomStream& random) {
+        RandomStream same = random;
+        return other.draw(random) - one.draw(same);
+    };
+    return mean_is(draw, claim, run);
+}
+
+double ray_miss(const SurfacePoint& x, const SurfacePoint& y) {
+    const auto start = [](const SurfacePoint& at, Vec3 towards) {
+        return length(ray_origin(at, towards) - at.position) + at.margin;
+    };
+    const Vec3 way = y.position - x.position;
+    return start(x, way) + start(y, -way) + ray_turn * length(way);
+}
+
+void HeldCases::add(const std::string& name, double error, double bound) {
+    constexpr double loose = 0.01;
+    if (bound <= loose)
+        cases_.push_back({name, error / bound});
+    else
+        ++left_out_;
+}
+
+Verdict HeldCases::verdict() const {
+    Verdict verdict = within_bound(cases_, 1, "of its bound");
+    verdict.reason += fmt::format("; {} more may be off by more than 1 %, and are not judged", left_out_);
+    verdict.evidence.emplace_back("not_judged", left_out_);
+    return verdict;
+}
+
 double weight_of_wrong_vertex(const PathChain& chain, int t) {
     PathChain other = chain;
     const auto i = static_cast<std::size_t>(t);

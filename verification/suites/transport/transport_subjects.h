@@ -3,6 +3,8 @@
 #include "integrators/estimators/bdpt.h"
 #include "integrators/estimators/light_tracer.h"
 #include "integrators/references/path_classes.h"
+#include "verification/evidence/deterministic.h"
+#include "verification/evidence/mean.h"
 #include "verification/suites/direct/direct_subjects.h"
 
 namespace plumb::suites {
@@ -21,6 +23,28 @@ struct RegionMean {
     [[nodiscard]] double draw(RandomStream& random) const;
 };
 FilmRegion whole_film(const Scene& scene);
+/// Whether both, of one scene and n, have one expectation: by differences of draws from the same numbers.
+Verdict same_mean(const RegionMean& one, const RegionMean& other, const MeanClaim& claim, const Run& run);
+
+/// By how far across itself a ray from x towards y, or from y towards x, may miss the line between the two: it starts
+/// off its surface, and its direction and the point that it meets are rounded (scenes/geometry/surface_point.h:
+/// `margin` bounds the rounding within the plane of a triangle).
+double ray_miss(const SurfacePoint& x, const SurfacePoint& y);
+/// The same over the distance, of rays that only have a direction.
+constexpr double ray_turn = 0x1p-21;
+
+/// Relative deviations of which each is held to a bound of its own. Those that may be off by more than 1 % say little:
+/// they are counted, and not judged.
+class HeldCases {
+public:
+    void add(const std::string& name, double error, double bound);
+    /// Of the largest deviation over its bound.
+    [[nodiscard]] Verdict verdict() const;
+
+private:
+    std::vector<BoundedCase> cases_;
+    std::uint64_t left_out_ = 0;
+};
 
 /// Wrong weights: by the density of the next vertex in place of the connected one's, and with connections to mirrors
 /// that count as if they could be made.

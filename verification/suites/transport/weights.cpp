@@ -28,18 +28,10 @@ void for_each_path(const Scene& scene, const Run& run, const std::function<void(
 
 // ---- densities from scratch, for a path without mirrors
 
-// By how far a ray from x that meets y, or from y that meets x, may miss the line between the two: it starts off its
-// surface, and its direction and the point that it meets are rounded (scenes/geometry/surface_point.h: `margin` bounds
-// the rounding within the plane of a triangle).
 double miss(const SubpathVertex& x, const SubpathVertex& y) {
-    constexpr double of_floats = 0x1p-21;
     constexpr auto environment = SubpathVertex::Kind::environment;
-    if (x.kind == environment || y.kind == environment) return of_floats;
-    const auto start = [](const SubpathVertex& at, Vec3 towards) {
-        return length(ray_origin(at.point, towards) - at.position()) + at.point.margin;
-    };
-    const Vec3 way = y.position() - x.position();
-    return start(x, way) + start(y, -way) + of_floats * length(way);
+    if (x.kind == environment || y.kind == environment) return ray_turn;
+    return ray_miss(x.point, y.point);
 }
 
 // ln of what density_onwards says, per steradian, and by how much, to first order, it changes where the ends of its two
