@@ -14,15 +14,16 @@ int tiles_along(int pixels) {
 
 std::array<Spectrum, 4> layers_of(const PathRecord& record, double weight) {
     std::array<Spectrum, 4> layers{record.sum()};
-    if (!record.vertices.empty()) {
-        const PathVertex& first = record.vertices.front();
-        const Vec3 n = first.frame.z;
-        layers[1] = record.first_hit_weight * albedo(first.bsdf);
-        layers[2] = record.first_hit_weight * Spectrum::rgb(n.x, n.y, n.z);
-        layers[3] = record.first_hit_weight * Spectrum::grey(first.hit.t);
-    }
-    if (weight != 1)
-        for (Spectrum& layer : layers) layer *= weight;
+    if (weight != 1) layers[0] *= weight;
+    if (record.vertices.empty()) return layers;
+    const PathVertex& first = record.vertices.front();
+    const Vec3 n = first.frame.z;
+    layers[1] = albedo(first.bsdf);
+    layers[2] = Spectrum::rgb(n.x, n.y, n.z);
+    layers[3] = Spectrum::grey(first.hit.t);
+    const double weight_of_first = weight * record.first_hit_weight;
+    if (weight_of_first != 1)
+        for (std::size_t i = 1; i < layers.size(); ++i) layers[i] *= weight_of_first;
     return layers;
 }
 

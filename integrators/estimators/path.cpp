@@ -22,10 +22,8 @@ TechniqueWeight weight_of_met(const Scene& scene, const NextEvent& next_event, c
 
 }  // namespace
 
-Spectrum met_light(const Scene& scene, const NextEvent& next_event, const PathState& state,
-                   const std::optional<Hit>& hit, double density, const PathRecord& record) {
-    const Spectrum radiance = hit ? scene.emitted(*hit, -state.direction) : scene.environment(state.ray);
-    if (is_black(radiance)) return radiance;
+Spectrum weighted(const Spectrum& radiance, const Scene& scene, const NextEvent& next_event, const PathState& state,
+                  const std::optional<Hit>& hit, double density, const PathRecord& record) {
     const auto [weight, rivals] = weight_of_met(scene, next_event, state, hit, record);
     if (record.story)
         record.tell({.strategy = {0, state.vertex + 1},

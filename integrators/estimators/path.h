@@ -16,9 +16,18 @@ struct PathState {
     std::uint16_t vertex = 1;  ///< the number of the next vertex, which is the edges up to it
 };
 
-/// Light that the state's ray met, weighted against what an light sample would have found there.
-Spectrum met_light(const Scene& scene, const NextEvent& next_event, const PathState& state,
-                   const std::optional<Hit>& hit, double density, const PathRecord& record);
+/// Light that the state's ray met, by its weight against what samples of lights, and more of the BSDF, would have found
+/// there. The density is that of the numbers behind the ray.
+Spectrum weighted(const Spectrum& radiance, const Scene& scene, const NextEvent& next_event, const PathState& state,
+                  const std::optional<Hit>& hit, double density, const PathRecord& record);
+
+/// What the state's ray met of light, weighted. Inline, because most rays meet none.
+inline Spectrum met_light(const Scene& scene, const NextEvent& next_event, const PathState& state,
+                          const std::optional<Hit>& hit, double density, const PathRecord& record) {
+    const Spectrum radiance = hit ? scene.emitted(*hit, -state.direction) : scene.environment(state.ray);
+    if (is_black(radiance)) return radiance;
+    return weighted(radiance, scene, next_event, state, hit, density, record);
+}
 
 /// Path tracing: next-event estimation and BSDF samples with multiple importance sampling at each vertex. Light behind
 /// mirrors counts even where no sample of the BSDF is to find light: nothing else would

@@ -35,39 +35,54 @@ void ask_choices(const NextEvent& next_event, const Scene& scene, const PathVert
     }
 }
 
+// n p of the BSDF for a direction in which a light was found. No direction of a BSDF meets a point.
+double density_of_bsdf(const NextEvent& next_event, const Scene& scene, const PathVertex& vertex, std::size_t light,
+                       Vec3 direction) {
+    if (next_event.bsdf_count == 0 || std::holds_alternative<PointLight>(scene.lights()[light])) return 0;
+    return next_event.bsdf_count * vertex.bsdf.pdf(vertex.to_local(vertex.wo), vertex.to_local(direction));
+}
+
+// Of what a choice of lights found: where it is the only one, as it mostly is, nobody else need be asked.
+TechniqueWeight weight_of_found(const NextEvent& next_event, const Scene& scene, const PathVertex& vertex,
+                                const SceneLightSample& found, std::size_t choice) {
+    if (next_event.lights.size() > 1)
+        return weight_of_choice(next_event, scene, vertex, light_point(found), choice, found.pdf);
+    const double bsdf = density_of_bsdf(next_event, scene, vertex, found.light, found.sample.direction);
+    return {next_event.weight(std::array{next_event.lights[0].count * found.pdf, bsdf}, 0), bsdf};
+}
+
 // A sample of a choice of lights: which of a vertex's, of which choice.
 struct LightTurn {
     SampleIndex index;
     std::size_t choice;
 };
 
-Spectrum gather_from_light(const Scene& scene, const PathVertex& vertex, const LightTurn& turn,
-                           const NextEvent& next_event, const Draws& of_vertex, PathRecord& record) {
+// Adds what the sample found to the sum.
+void gather_from_light(const Scene& scene, const PathVertex& vertex, const LightTurn& turn, const NextEvent& next_event,
+                       const Draws& of_vertex, PathRecord& record, Spectrum& sum) {
     const auto& [choice, count] = next_event.lights[turn.choice];
     Draws draws = of_vertex.branch();
     const auto light = choice->sample(scene, vertex.hit.point, turn.index, draws);
-    if (!light) return {};
+    if (!light) return;
     const Spectrum f = eval_bsdf(vertex, light->sample.direction, Transport::radiance);
-    if (is_black(f)) return {};
+    if (is_black(f)) return;
     const double visible =
         next_event.visibility->sample(scene, vertex.hit.point, light->sample, turn.index, draws, record.rays);
     const Strategy strategy{1, turn.index.vertex + 1};
     if (visible == 0) {
         if (record.story) record.tell({.strategy = strategy, .light = {}, .pdf = light->pdf, .source = light->light});
-        return {};
+        return;
     }
-    const auto [weight, rivals] =
-        weight_of_choice(next_event, scene, vertex, light_point(*light), turn.choice, light->pdf);
-    const double arrives = visible / (count * light->pdf);
+    const auto [weight, rivals] = weight_of_found(next_event, scene, vertex, *light, turn.choice);
     if (record.story)
         record.tell({.strategy = strategy,
-                     .light = f * light->sample.radiance * arrives,
+                     .light = f * light->sample.radiance * (visible / (count * light->pdf)),
                      .weight = weight,
                      .pdf = light->pdf,
                      .rival = rivals,
                      .source = light->light,
                      .density = of_vertex.density() * draws.density()});
-    return f * light->sample.radiance * (weight * visible / (count * light->pdf)) * (1 / draws.density());
+    sum += f * light->sample.radiance * (weight * visible / (count * light->pdf * draws.density()));
 }
 
 Spectrum light_from_direction(const Scene& scene, const PathVertex& vertex, SampleIndex index,
@@ -95,7 +110,7 @@ Spectrum light_from_direction(const Scene& scene, const PathVertex& vertex, Samp
                      .rival = rivals,
                      .source = point.light,
                      .density = of_vertex.density() * draws.density()});
-    return sample->weight * radiance * share * (1 / draws.density());
+    return sample->weight * radiance * (share / draws.density());
 }
 
 }  // namespace
@@ -118,10 +133,7 @@ TechniqueWeight weight_of_choice(const NextEvent& next_event, const Scene& scene
     Densities densities(next_event);
     densities.values[choice] = next_event.lights[choice].count * pdf;
     ask_choices(next_event, scene, vertex, point, choice, densities);
-    // No direction of a BSDF meets a point.
-    if (next_event.bsdf_count > 0 && !std::holds_alternative<PointLight>(scene.lights()[point.light]))
-        densities.values[densities.count - 1] =
-            next_event.bsdf_count * vertex.bsdf.pdf(vertex.to_local(vertex.wo), vertex.to_local(point.direction));
+    densities.values[densities.count - 1] = density_of_bsdf(next_event, scene, vertex, point.light, point.direction);
     return densities.weight(next_event.weight, choice);
 }
 
@@ -141,7 +153,7 @@ Spectrum gather_from_lights(const Scene& scene, const PathVertex& vertex, std::u
     std::uint8_t taken = 0;
     for (std::size_t k = 0; k < next_event.lights.size(); ++k)
         for (int i = 0; i < next_event.lights[k].count; ++i, ++taken)
-            sum += gather_from_light(scene, vertex, {{number, taken}, k}, next_event, of_vertex, record);
+            gather_from_light(scene, vertex, {{number, taken}, k}, next_event, of_vertex, record, sum);
     return sum;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 namespace plumb {
@@ -11,13 +12,20 @@ namespace plumb {
 template <int fraction_bits, int term_bits>
 class FixedPointSum {
 public:
-    static_assert(fraction_bits + term_bits <= 106);
+    static_assert(fraction_bits + term_bits > 63 && fraction_bits + term_bits <= 106);
 
     static constexpr double resolution = 1 / static_cast<double>(__extension__(__int128){1} << fraction_bits);
     /// Whether x can be a term; NaN cannot.
     static bool accepts(double x) { return std::abs(x) < std::ldexp(1.0, term_bits); }
     /// x must be accepted.
-    void add(double x) { sum_ += static_cast<Integer>(std::nearbyint(x * scale)); }
+    void add(double x) {
+        // In two parts of 64 bits, because processors convert no more. Both are exact but for the one rounding: the
+        // upper part is whole, and even in units of the lower one.
+        const double places = x * upper_scale;
+        const auto upper = static_cast<std::int64_t>(places);
+        const double rest = (places - static_cast<double>(upper)) * lower_scale;
+        sum_ += (Integer{upper} * lower_units) + static_cast<std::int64_t>(std::nearbyint(rest));
+    }
     void merge(const FixedPointSum& other) { sum_ += other.sum_; }
     __extension__ using Integer = __int128;
     /// The sum in multiples of 2^-fraction_bits.
@@ -28,6 +36,10 @@ public:
 
 private:
     static constexpr double scale = static_cast<double>(Integer{1} << fraction_bits);
+    static constexpr int upper_bits = 63 - term_bits;  // behind the point, so that no term has more than 63
+    static constexpr double upper_scale = static_cast<double>(Integer{1} << upper_bits);
+    static constexpr std::int64_t lower_units = std::int64_t{1} << (fraction_bits - upper_bits);
+    static constexpr double lower_scale = static_cast<double>(lower_units);
     Integer sum_ = 0;
 };
 

@@ -118,11 +118,10 @@ void FilmPass::merge_at(int x, int y, const FilmPass& part) {
     bad_.merge(part.bad_);
 }
 
-double FilmPass::mean(int x, int y, std::size_t channel) const {
-    const std::size_t place = pixel(x, y);
-    if (samples_[place] == 0) return 0;
-    const std::size_t number = place * channels_ + channel;
-    return wide_.total(number, sums_[number]) / static_cast<double>(samples_[place]);
+double FilmPass::mean_at(std::size_t pixel, std::size_t channel) const {
+    if (samples_[pixel] == 0) return 0;
+    const std::size_t number = pixel * channels_ + channel;
+    return wide_.total(number, sums_[number]) / static_cast<double>(samples_[pixel]);
 }
 
 Film::Film(FilmSize size, std::vector<FilmLayer> layers)
@@ -142,24 +141,23 @@ std::size_t Film::at(int x, int y, std::size_t channel) const {
 void Film::add(const FilmPass& pass) {
     require_same_shape(size_, pass.size());
     require_same_channels(channels_, pass.channels());
-    for (int y = 0; y < size_.height; ++y)
-        for (int x = 0; x < size_.width; ++x) {
-            samples_[at(x, y, 0) / channels_] += pass.samples(x, y);
-            for (std::size_t c = 0; c < channels_; ++c) {
-                const double mean = pass.mean(x, y, c);
-                const std::size_t number = at(x, y, c);
-                if (ExactSum::accepts(mean))
-                    sums_[number].add(mean);
-                else
-                    wide_sums_.add(number, mean);
-                if (ExactSumOfSquares::accepts(mean * mean))
-                    squares_[number].add(mean * mean);
-                else
-                    wide_squares_.add(number, mean * mean);
-            }
-        }
+    for (std::size_t pixel = 0; pixel < samples_.size(); ++pixel) {
+        samples_[pixel] += pass.samples_[pixel];
+        for (std::size_t c = 0; c < channels_; ++c) add_mean(pixel * channels_ + c, pass.mean_at(pixel, c));
+    }
     ++replicates_;
     bad_.merge(pass.bad_values());
+}
+
+void Film::add_mean(std::size_t number, double mean) {
+    if (ExactSum::accepts(mean))
+        sums_[number].add(mean);
+    else
+        wide_sums_.add(number, mean);
+    if (ExactSumOfSquares::accepts(mean * mean))
+        squares_[number].add(mean * mean);
+    else
+        wide_squares_.add(number, mean * mean);
 }
 
 void Film::merge(const Film& other) {

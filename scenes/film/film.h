@@ -46,14 +46,16 @@ public:
     void merge_at(int x, int y, const FilmPass& part);
 
     [[nodiscard]] std::uint64_t samples(int x, int y) const { return samples_[pixel(x, y)]; }
-    [[nodiscard]] double mean(int x, int y, std::size_t channel) const;
+    [[nodiscard]] double mean(int x, int y, std::size_t channel) const { return mean_at(pixel(x, y), channel); }
     [[nodiscard]] const BadValues& bad_values() const { return bad_; }
     [[nodiscard]] std::size_t channels() const { return channels_; }
     [[nodiscard]] FilmSize size() const { return size_; }
     [[nodiscard]] const std::vector<FilmLayer>& layers() const { return layers_; }
 
 private:
+    friend class Film;  // which adds passes pixel by pixel
     [[nodiscard]] std::size_t pixel(int x, int y) const;
+    [[nodiscard]] double mean_at(std::size_t pixel, std::size_t channel) const;
     void add_to(std::size_t first_sum, const FilmLayer& layer, const Spectrum& value);
 
     FilmSize size_;
@@ -91,6 +93,7 @@ public:
 
 private:
     friend struct FilmBits;  // of film_part.cpp
+    void add_mean(std::size_t number, double mean);
     [[nodiscard]] std::size_t at(int x, int y, std::size_t channel) const;
 
     FilmSize size_;

@@ -43,16 +43,20 @@ public:
     /// The total of the exact sum of this number and of what did not fit into it.
     template <class Exact>
     [[nodiscard]] double total(std::size_t number, const Exact& exact) const {
-        if (sums_.empty()) return exact.value();
+        return sums_.empty() ? exact.value() : total_with_wide(number, exact);
+    }
+    [[nodiscard]] const std::map<std::size_t, WideSum>& sums() const { return sums_; }
+
+private:
+    template <class Exact>
+    [[nodiscard]] double total_with_wide(std::size_t number, const Exact& exact) const {
         const auto found = sums_.find(number);
         if (found == sums_.end()) return exact.value();
         WideSum sum = found->second;
         sum.add(exact);
         return sum.value();
     }
-    [[nodiscard]] const std::map<std::size_t, WideSum>& sums() const { return sums_; }
 
-private:
     std::map<std::size_t, WideSum> sums_;
 };
 

@@ -28,11 +28,14 @@ double given_away(const ShiftedPart& part) {
     return part.valid() ? balance(part) : 0.5;
 }
 
+// Made where it is asked for: scenes are large, and the catalogue is listed more often than they are traced.
+using MakePixelPair = PixelPair (*)();
+
 // What is seen of the light of a path: all of it, or how bright each part is.
 using Sight = double (*)(const std::vector<PartSplat>& splats, const std::vector<ShiftedPart>& parts, Share share);
 
 struct Exchange {
-    PixelPair pixels;
+    MakePixelPair pixels;
     MakeShift make = hybrid;
     Share share = balance;  // of a pixel's own paths
     Sight sight;
@@ -61,7 +64,7 @@ double brightness(const std::vector<PartSplat>& splats, const std::vector<Shifte
 double difference(const Exchange& exchange, const PathShift& shift, PrimarySamples& numbers) {
     thread_local BasePath base;
     thread_local ShiftedPath shifted;
-    const auto& [scene, from, to] = exchange.pixels;
+    const auto& [scene, from, to] = exchange.pixels();
     shift.trace(scene, from, numbers, base);
     shift.shift(scene, base, to, numbers, shifted);
     const double brought = exchange.sight(shifted.splats, shifted.parts, balance);
@@ -142,7 +145,7 @@ Defect weight_lost() {
 
 struct PairClaim {
     std::string name, what;
-    PixelPair pixels;
+    MakePixelPair pixels;
     double delta;
     std::vector<Defect> defects;
     Sight sight = shared_light;
@@ -167,28 +170,38 @@ void add(Catalogue& catalogue, const PairClaim& claim) {
 void add_shift_pairs(Catalogue& catalogue) {
     add(catalogue, {"box",
                     "a diffuse box lit by a rectangle, seen through a lens",
-                    {box_scene(), {8, 20, 1, 1}, {20, 26, 1, 1}},
+                    [] {
+                        return PixelPair{box_scene(), {8, 20, 1, 1}, {20, 26, 1, 1}};
+                    },
                     1.5e-3,
                     {dropped(), inverted(), no_cos(), no_distance(), weight_lost()}});
     add(catalogue, {"rough",
                     "rough metal, glass and plastic under a sky and a point light",
-                    {rough_scene(), {4, 14, 8, 8}, {18, 18, 8, 8}},
+                    [] {
+                        return PixelPair{rough_scene(), {4, 14, 8, 8}, {18, 18, 8, 8}};
+                    },
                     2.5e-3,
                     {dropped(), inverted(), no_pdf(), by_path(), weight_lost()}});
     add(catalogue, {"metal",
                     "a shining wall, most of it met by paths that leave rough metal",
-                    {metal_scene(), {14, 24, 1, 1}, {18, 20, 1, 1}},
+                    [] {
+                        return PixelPair{metal_scene(), {14, 24, 1, 1}, {18, 20, 1, 1}};
+                    },
                     3e-3,
                     {dropped(), inverted(), no_distance(), no_pdf(), by_path()}});
     add(catalogue, {"glass",
                     "a ball of glass and a mirror, behind which paths are connected later",
-                    {glass_scene(PathClass::Source::surface), {1, 3, 6, 10}, {9, 3, 6, 10}},
+                    [] {
+                        return PixelPair{glass_scene(PathClass::Source::surface), {1, 3, 6, 10}, {9, 3, 6, 10}};
+                    },
                     2e-3,
                     {connected_early(), by_path(), weight_lost()},
                     brightness});
     add(catalogue, {"curtain",
                     "a curtain that lets half of the light through",
-                    {curtain_scene(), {12, 18, 1, 1}, {20, 24, 1, 1}},
+                    [] {
+                        return PixelPair{curtain_scene(), {12, 18, 1, 1}, {20, 24, 1, 1}};
+                    },
                     1e-3,
                     {dropped(), inverted(), no_distance(), by_path(), weight_lost()}});
 }
