@@ -153,7 +153,7 @@ void Shifting::gather_beyond(const Replayed& replayed, const Connection& x, cons
     if (onwards.measure != Measure::solid_angle) return fail(first, ShiftFailure::mirror);
     if (!(x.pdf_beyond > 0 && y.pdf_beyond > 0)) return fail(first, ShiftFailure::no_density);
     const Spectrum f = eval_bsdf(*y.end, onwards.direction, Transport::radiance);
-    ShiftFailure why = carry(state, f / y.pdf_beyond, onwards.eta);
+    ShiftFailure why = carry(state, f / y.pdf_beyond, mapping.eta_beyond(onwards, *y.end));
     const double jacobian = shifted.parts[base.connection].jacobian * (mapping.beyond(y) / mapping.beyond(x));
     const auto weight_of_met = [&] {  // by the BSDF of the far end, which scatters to another side now
         const auto& vertices = base.record.vertices;
@@ -179,6 +179,10 @@ void Shifting::gather_beyond(const Replayed& replayed, const Connection& x, cons
 }
 
 }  // namespace
+
+double eta_of_shifted(const PathStory::Scattering& onwards, const PathVertex& end) {
+    return eta_between(end.bsdf, end.to_local(end.wo), end.to_local(onwards.direction));
+}
 
 void HybridShift::trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, BasePath& base) const {
     base.record.story = &base.story;

@@ -5,6 +5,12 @@
 
 namespace plumb {
 
+/// The index that a kept direction leads into, over that on the side where the path comes from: at the far end of a
+/// connection, which the base may have met from the other side, so that one of the paths is refracted there and the
+/// other reflected.
+using EtaBeyond = double (*)(const PathStory::Scattering& onwards, const PathVertex& end);
+double eta_of_shifted(const PathStory::Scattering& onwards, const PathVertex& end);
+
 /// The shift of `path` that replays numbers up to the first edge (x_k, x_{k+1}) that can be a connection, and then
 /// joins y_k to the same x_{k+1}: what lies behind costs no rays [Lin et al. 2022, section 7; Hua et al. 2019].
 ///
@@ -31,6 +37,7 @@ struct HybridShift final : PathShift {
     ConnectionFailure failure = connection_failure;
     ConnectionFailure earlier = connection_failure;  ///< of the edges that the shifted path replays
     ConnectionDensity density = connection_density, beyond = density_beyond;
+    EtaBeyond eta_beyond = eta_of_shifted;
 
     explicit HybridShift(const PathTracer& of) : tracer(of) {}
     void trace(const Scene& scene, const FilmRegion& region, PrimarySamples& samples, BasePath& base) const override;

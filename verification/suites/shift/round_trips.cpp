@@ -144,6 +144,12 @@ std::unique_ptr<PathShift> without_roulette(const PathTracer& tracer) {
     return std::make_unique<ShiftedByAnother>(tracer, other);
 }
 
+std::unique_ptr<PathShift> with_eta_of_base(const PathTracer& tracer) {
+    auto shift = std::make_unique<HybridShift>(tracer);
+    shift->eta_beyond = [](const PathStory::Scattering& onwards, const PathVertex&) { return onwards.eta; };
+    return shift;
+}
+
 struct ThereAndBack {
     MakeShift there, back;
 };
@@ -179,6 +185,9 @@ void add_shift_round_trips(Catalogue& catalogue) {
                    {{"other-weights",
                      "Shifted light is weighted by the balance heuristic, traced light by the power.",
                      {weighted_by_balance, hybrid}},
+                    {"eta-of-base",
+                     "Behind the connection the index is that of the base, which may meet glass from the other side.",
+                     {with_eta_of_base, with_eta_of_base}},
                     {"roulette-not-played", "Roulette is played for the base alone.", {without_roulette, hybrid}},
                     {"one-way",
                      "The Jacobian has its cosines on the way there alone.",

@@ -51,6 +51,7 @@ std::vector<std::pair<std::string, PixelPair>> shift_scenes() {
     const FilmRegion left{1, 3, 6, 10}, right{9, 3, 6, 10};
     return {{"box", {box_scene(), {8, 20, 1, 1}, {20, 26, 1, 1}}},
             {"rough", {rough_scene(), {4, 14, 8, 8}, {18, 18, 8, 8}}},
+            {"into glass", {rough_scene(), {8, 12, 4, 4}, {13, 14, 6, 6}}},
             {"metal", {metal_scene(), {14, 24, 1, 1}, {18, 20, 1, 1}}},
             {"glass", {glass_scene(Source::surface), left, right}},
             {"glass and sky", {glass_scene(Source::environment), left, right}},
