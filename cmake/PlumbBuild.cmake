@@ -27,9 +27,13 @@ option(PLUMB_WERROR "Warnings are errors" OFF)
 
 find_program(PLUMB_CCACHE ccache)
 if(PLUMB_CCACHE)
-  # The sloppiness is what ccache's manual asks for with precompiled headers; a changed header still misses.
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
-      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${PLUMB_CCACHE})
+  # The sloppiness is what ccache's manual asks for with precompiled headers; a changed header still misses. Without
+  # debug information no object knows where its sources lie: copies of the tree share what they have in common.
+  set(PLUMB_CCACHE_SETTINGS CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime)
+  if(CMAKE_BUILD_TYPE STREQUAL "Release")
+    list(APPEND PLUMB_CCACHE_SETTINGS "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=true)
+  endif()
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env ${PLUMB_CCACHE_SETTINGS} ${PLUMB_CCACHE})
 endif()
 
 # How our own code is compiled. Installed targets carry none of it (BUILD_INTERFACE below): warnings are our affair, and

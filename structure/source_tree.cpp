@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path root = PLUMB_SOURCE_DIR;
-const std::set<std::string> passed_over = {".git", "build", "out", "node_modules"};
+const std::set<std::string> passed_over = {".git", "build", "out", "node_modules", "additions"};
 const std::set<std::string> kinds = {".h", ".cpp", ".md", ".toml", ".json", ".py", ".cmake"};
 
 std::string sentences(std::string text) {

@@ -13,6 +13,7 @@ struct SourceFile {
 };
 
 /// The files that people write: code, documents, studies and scenes' known answers, without what is built or fetched.
+/// What structure/additions holds is read where it goes, in a copy of the tree.
 const std::vector<SourceFile>& source_files();
 
 /// The lines of one file of the repository as they are.

@@ -63,12 +63,12 @@ slopes = [-1, -1.5]
     EXPECT_EQ(first.budget.unit, Budget::Unit::samples);
     EXPECT_THAT(first.budget.counts, ElementsAre(16, 32, 64));
     EXPECT_EQ(first.replicates, 50U);
-    EXPECT_THAT(first.about.metrics, ElementsAre(reports::Metric::rmse, reports::Metric::bias));
+    EXPECT_THAT(first.about.metrics, ElementsAre(reports::metric_from("rmse"), reports::metric_from("bias")));
     EXPECT_THAT(first.about.slopes, ElementsAre(-2));
     EXPECT_EQ(second.budget.unit, Budget::Unit::evaluations);
     EXPECT_THAT(second.budget.counts, ElementsAre(10, 100));
     EXPECT_EQ(second.replicates, 20U);
-    EXPECT_THAT(second.about.metrics, ElementsAre(reports::Metric::relative_mse));
+    EXPECT_THAT(second.about.metrics, ElementsAre(reports::metric_from("relative_mse")));
     EXPECT_EQ(second.about.x, reports::Work::evaluations);
     EXPECT_THAT(second.about.slopes, ElementsAre(-1, -1.5));
 }

@@ -94,8 +94,9 @@ TEST_F(PageInBrowser, DrawsAStudy) {
     StudyResult study{.run = sample_results().run, .about = {"s", "A </script> study", "Text.", "ours"}, .figures = {}};
     study.figures.push_back({{.id = "first", .title = "First", .source_says = "so", .slopes = {-1, -2}},
                              {{"exp", 1.7, {series[0], series[1]}}, {"sine", 0, {series[2]}}}});
-    study.figures.push_back({{.id = "second", .title = "Second", .metrics = {Metric::bias, Metric::efficiency}},
-                             {{"exp", 1.7, {series[0]}}}});
+    study.figures.push_back(
+        {{.id = "second", .title = "Second", .metrics = {metric_from("bias"), metric_from("efficiency")}},
+         {{"exp", 1.7, {series[0]}}}});
     for (const int width : {1280, 360}) {
         const Browsed page = browse(study_html(study), width);
         EXPECT_THAT(page.messages, Not(HasSubstr("CONSOLE")));

@@ -26,34 +26,37 @@ Measured rmse(const ConvergencePoint& p, double, double) {
     return {root(p.mse), root(p.mse_interval.low), root(p.mse_interval.high)};
 }
 
+// MSE / I².
 Measured relative_mse(const ConvergencePoint& p, double truth, double) {
     const double square = truth * truth;
     return {p.mse / square, p.mse_interval.low / square, p.mse_interval.high / square};
 }
 
+// Its absolute value.
 Measured bias(const ConvergencePoint& p, double, double) {
     const double half = 1.959963984540054 * p.bias_standard_error, size = std::abs(p.bias);
     return {size, size - half, size + half};
 }
 
-// The interval turns round; a low bound of the MSE at or below 0 leaves no high one.
+// 1 / (MSE × cost), the cost in evaluations, or in seconds when they are the axis. The interval turns round; a low
+// bound of the MSE at or below 0 leaves no high one.
 Measured efficiency(const ConvergencePoint& p, double, double cost) {
     const auto inverse = [&](double x) { return x > 0 ? 1 / (x * cost) : std::numeric_limits<double>::infinity(); };
     return {1 / (p.mse * cost), 1 / (p.mse_interval.high * cost), inverse(p.mse_interval.low)};
 }
 
-constexpr std::array<ErrorMetric, 5> metrics = {{
+constexpr ErrorMetric metrics[] = {
     {"mse", "MSE", mse, 1},
     {"rmse", "RMSE", rmse, 0.5},
     {"relative_mse", "relative MSE", relative_mse, 1, false, true},
     {"bias", "|bias|", bias},
     {.name = "efficiency", .label = "efficiency 1 / (MSE × cost)", .value = efficiency, .by_cost = true},
-}};
+};
 
 template <class Value, class List>
 Value value_from(const List& list, std::string_view what, std::string_view name) {
     std::vector<std::string> known;
-    for (std::size_t i = 0; i < list.size(); ++i) {
+    for (std::size_t i = 0; i < std::size(list); ++i) {
         if (name == list[i].name) return static_cast<Value>(i);
         known.emplace_back(list[i].name);
     }
@@ -62,9 +65,6 @@ Value value_from(const List& list, std::string_view what, std::string_view name)
 
 const WorkAxis& axis(Work work) {
     return works.at(static_cast<std::size_t>(work));
-}
-const ErrorMetric& entry(Metric metric) {
-    return metrics.at(static_cast<std::size_t>(metric));
 }
 
 }  // namespace
@@ -87,6 +87,9 @@ double work_of(const ConvergencePoint& point, Work work) {
 
 std::span<const ErrorMetric> error_metrics() {
     return metrics;
+}
+const ErrorMetric& entry(Metric metric) {
+    return metrics[static_cast<std::size_t>(metric)];
 }
 std::string to_string(Metric metric) {
     return entry(metric).name;

@@ -32,13 +32,7 @@ struct Measured {
     double value = 0, low = 0, high = 0;
 };
 
-enum class Metric {
-    mse,
-    rmse,
-    relative_mse,  ///< MSE / I²
-    bias,          ///< its absolute value
-    efficiency,    ///< 1 / (MSE × cost), the cost in evaluations, or in seconds when they are the axis
-};
+/// How wrong an estimator is at a point of a series.
 struct ErrorMetric {
     const char *name, *label;
     Measured (*value)(const ConvergencePoint& point, double truth, double cost);
@@ -46,7 +40,12 @@ struct ErrorMetric {
         std::numeric_limits<double>::quiet_NaN();  ///< where the MSE has 1; NaN where it is no power of it
     bool by_cost = false, by_truth = false;        ///< what `value` needs besides the point
 };
-std::span<const ErrorMetric> error_metrics();  ///< in the order of the enumeration
+/// The table in metric.cpp, the only list of metrics.
+std::span<const ErrorMetric> error_metrics();
+
+/// A metric, by its place in the table.
+enum class Metric : std::size_t {};
+const ErrorMetric& entry(Metric metric);
 
 std::string to_string(Metric metric);
 std::string label(Metric metric);

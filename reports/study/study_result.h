@@ -16,7 +16,7 @@ struct FigureText {
     std::string source_says = {};       ///< what the source states about it, for the reader to compare; or empty
     Work x = Work::n;
     std::string x_label = {};  ///< in place of the axis' own, where n stands for something else; or empty
-    std::vector<Metric> metrics = {Metric::mse};
+    std::vector<Metric> metrics = {metric_from("mse")};
     std::vector<double> slopes = {};  ///< exponents of the MSE to draw as guides
 };
 
