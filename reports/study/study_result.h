@@ -35,6 +35,7 @@ struct FigureResult {
 
 struct StudyText {
     std::string name, title, text, source;
+    bool several = false;  ///< figures of several studies, whose titles begin with the study's and a colon
 };
 
 /// Everything that a study found: the one value that its page, CSV and plots render.
