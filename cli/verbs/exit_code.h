@@ -4,7 +4,7 @@
 
 namespace plumb::cli {
 
-/// Of a verb that ends in one verdict.
+/// The exit code of a verb that ends in one verdict.
 constexpr int exit_code(Outcome outcome) {
     return outcome == Outcome::holds ? 0 : outcome == Outcome::refuted ? 1 : 3;
 }

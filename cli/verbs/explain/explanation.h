@@ -20,9 +20,9 @@ struct ExplainedSample {
     const Explanation& told;
 };
 
-/// For a person.
+/// The explanation as a person reads it.
 std::string explanation_text(const ExplainedSample& sample);
-/// For a program (docs/json.md): every number to the bit.
+/// The explanation as a program reads it (docs/json.md): every number to the bit.
 std::string explanation_json(const ExplainedSample& sample);
 
 }  // namespace plumb::cli

@@ -19,9 +19,9 @@ struct SceneName {
 };
 
 SceneName name_of_shape(const Scene& scene, std::uint32_t shape);
-/// Of the shape: two-sided ones and masks by their own names.
+/// The material of the shape: two-sided ones and masks by their own names.
 SceneName name_of_material(const Scene& scene, std::uint32_t shape);
-/// Of an index into Scene::lights(): those of shapes come first.
+/// The light at an index into Scene::lights(): those of shapes come first.
 SceneName name_of_light(const Scene& scene, std::size_t light);
 /// The closure's plugin in Mitsuba's XML, e.g. "roughconductor".
 std::string name_of_bsdf(const Bsdf& bsdf);
