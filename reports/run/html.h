@@ -13,7 +13,7 @@ namespace plumb::reports {
 /// out. With `against`, an earlier run, a section lists what changed since.
 std::string report_html(const Results& results, const std::optional<Results>& against = {});
 
-/// The same as a file, replaced as a whole or not at all; throws Error naming it when it cannot be written.
+/// Writes that page to a file, replaced as a whole or not at all; throws Error naming it when it cannot be written.
 void write_report(const Results& results, const std::optional<Results>& against, const std::filesystem::path& file);
 
 /// The page of `plumb converge`: convergence and work–precision only.

@@ -26,6 +26,11 @@ struct RunInfo {
     double seconds = 0;          ///< wall clock
 };
 
+/// False of a run that measures figures instead (`plumb reproduce`): it has no false-alarm budget.
+bool judges_claims(const RunInfo& run);
+/// The name of the verb that makes such runs.
+std::string_view verb_of(const RunInfo& run);
+
 struct ClaimResult {
     std::string id, statement, source;
     Kind kind = Kind::exact;
@@ -60,7 +65,7 @@ struct Results {
     std::vector<Series> series = {};  ///< convergence that belongs to no claim (`plumb converge`)
 };
 
-/// The same but for what may differ between two runs of one seed: when, how long, on how many threads.
+/// The results less what may differ between two runs of one seed: when, how long, on how many threads.
 Results without_side_records(Results results);
 
 struct Tally {

@@ -20,7 +20,7 @@ struct TableStyle {
 /// Verdicts one a line, the mutants that live, and the summary as the last line.
 std::string verdict_table(const Results& results, const TableStyle& style = {});
 
-/// For each series: n, evaluations, seconds, MSE with its interval and bias; then the slope, fitted and expected.
+/// A table a series: n, evaluations, seconds, MSE with its interval and bias; then the slope, fitted and expected.
 std::string converge_table(std::span<const Series> series, const TableStyle& style = {});
 
 std::string differences_table(const Differences& differences, const TableStyle& style = {});

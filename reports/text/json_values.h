@@ -26,7 +26,7 @@ inline std::string text_of(const Json& json, int indent = -1) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-/// On one line; '<' occurs in strings only, so that no "</script" or "<!--" can end the element.
+/// JSON on one line; '<' occurs in strings only, so that no "</script" or "<!--" can end the element.
 inline std::string for_script(const Json& json) {
     std::string text;
     for (const char c : text_of(json)) {
