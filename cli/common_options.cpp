@@ -42,7 +42,8 @@ void add_seed(CLI::App& verb, std::optional<std::uint64_t>& seed) {
 
 void add_seed_and_threads(CLI::App& verb, std::optional<std::uint64_t>& seed, int& threads) {
     add_seed(verb, seed);
-    verb.add_option("--threads", threads, "worker threads; the results do not depend on them")
+    verb.add_option("--threads", threads,
+                    "worker threads, on which no result depends; as many as the machine has when not given")
         ->check(CLI::Range(1, 4096));
 }
 

@@ -43,6 +43,12 @@ Quantity mse(Points points, double) {
     return {std::log(points.back().mse), known(points.back().log_mse_error)};
 }
 
+Quantity relative_mse(Points points, double integral) {
+    const ConvergencePoint& p = points.back();
+    const double value = p.mse / (integral * integral);
+    return {value, known(value * p.log_mse_error)};
+}
+
 Quantity rmse(Points points, double integral) {
     const Quantity of_mse = mse(points, integral);
     return {of_mse.value / 2, of_mse.error / 2};
@@ -68,6 +74,7 @@ constexpr std::array measures = {
     Measure{"slope", "slope of the MSE", slope, false, true},
     Measure{"mse", "MSE", mse},
     Measure{"rmse", "RMSE", rmse},
+    Measure{"relative_mse", "MSE / I²", relative_mse, false},
     Measure{"relative_bias", "|bias / I|", relative_bias, false, false, false},
     Measure{"efficiency", "1 / (MSE × evaluations)", efficiency},
     Measure{.name = "seconds",
@@ -144,7 +151,8 @@ bool measures_against(std::string_view measure) {
 }
 
 reports::Headline measure_headline(const HeadlinePlan& plan, const reports::FigureResult& figure) {
-    reports::Headline headline{.source = plan.source, .place = plan.place, .states = plan.states};
+    reports::Headline headline{
+        .source = plan.source, .place = plan.place, .states = plan.states, .quoted = plan.quoted};
     headline.remark = plan.remark;
     headline.reason = plan.not_comparable;
     headline.value = std::numeric_limits<double>::quiet_NaN();

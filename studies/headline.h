@@ -16,6 +16,7 @@ struct Study;
 /// A statement of a source, and how it is measured on a figure of the study (docs/studies.md).
 struct HeadlinePlan {
     std::string source, place, states, remark;
+    bool quoted = false;                        ///< states: in the source's own words
     std::string not_comparable;                 ///< why nothing here can decide it; then what follows is empty
     std::string figure;                         ///< id of the figure whose series are used
     std::string measure;                        ///< a name of headline_measures()
@@ -25,9 +26,9 @@ struct HeadlinePlan {
     Interval stated;
 };
 
-/// The names of what can be measured: "slope" (of log MSE on log n), "relative_bias" (|bias / I|), and positive numbers
-/// that may be set against those of another estimator: "mse", "rmse", "efficiency" (per evaluation), "seconds" (which
-/// are shown and decide nothing).
+/// The names of what can be measured: "slope" (of log MSE on log n) and "relative_mse" (MSE / I²), which are set
+/// against those of another estimator by their difference; "relative_bias" (|bias / I|); and positive numbers, which
+/// are by their ratio: "mse", "rmse", "efficiency" (per evaluation), "seconds" (which are shown and decide nothing).
 std::vector<std::string> headline_measures();
 
 /// Whether the measure looks at several counts, and whether it can be set against another estimator.

@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-const std::vector<std::string> texts = {"source", "place", "states", "remark"};
+const std::vector<std::string> texts = {"source", "place", "states", "quotes", "remark"};
 
 const FigurePlan& figure_of(const Study& study, const Section& section) {
     const std::string id = section.text("figure");
@@ -83,6 +83,13 @@ void read_measure(const Study& study, const Section& section, HeadlinePlan& plan
     plan.stated = read_bound(section);
 }
 
+/// The statement: `quotes` has the source's own words, `states` ours.
+void read_statement(const Section& section, HeadlinePlan& plan) {
+    plan.quoted = section.has("quotes");
+    if (plan.quoted && section.has("states")) section.fail("states", "stands beside quotes; one of them is accepted");
+    plan.states = section.text(plan.quoted ? "quotes" : "states");
+}
+
 }  // namespace
 
 HeadlinePlan read_headline(const Study& study, const toml::table& table, const std::string& file) {
@@ -97,7 +104,7 @@ HeadlinePlan read_headline(const Study& study, const toml::table& table, const s
     HeadlinePlan plan;
     plan.source = section.text("source", study.about.source);
     plan.place = section.text("place");
-    plan.states = section.text("states");
+    read_statement(section, plan);
     plan.remark = section.text("remark", "");
     if (section.has("not_comparable"))
         plan.not_comparable = section.text("not_comparable");

@@ -107,6 +107,27 @@ TEST(Headline, ComparesEstimators) {
     EXPECT_EQ(difference.outcome, HeadlineOutcome::met);
 }
 
+TEST(Headline, TakesTheDifferenceOfRelativeErrors) {
+    const std::string balance =
+        "figure = 'a'\nmeasure = 'relative_mse'\nestimator = 'independent'\nintegrand = 'exp'\nat = 16\n";
+    const Headline alone = measured(balance + "at_most = 1\n");
+    EXPECT_NEAR(alone.value, 0.2420 / (1.71828 * 1.71828) / 16, 0.002);  // V[e^x] = 0.2420
+    const Headline difference = measured(balance + "against = 'stratified'\nat_most = 0.01\n");
+    EXPECT_EQ(difference.measure, "MSE / I² of independent − that of stratified on exp, n = 16");
+    EXPECT_LT(difference.value, alone.value);
+    EXPECT_FALSE(difference.logarithmic);
+    EXPECT_EQ(difference.outcome, HeadlineOutcome::met);
+}
+
+TEST(HeadlineFile, TellsTheSourcesWordsFromOurs) {
+    const std::string rest = "not_comparable = 'no'\n";
+    EXPECT_FALSE(parsed(rest).quoted);
+    std::string quoting = study_text;
+    quoting.replace(quoting.find("states"), 6, "quotes");
+    EXPECT_TRUE(parse_study(quoting + rest, "s.toml").headlines.at(0).quoted);
+    EXPECT_THAT(complaint("quotes = 'so it is'\n" + rest), HasSubstr("headline.states: stands beside quotes"));
+}
+
 TEST(Headline, MeasuresTheSizeOfABias) {
     const std::string voronoi =
         "figure = 'a'\nmeasure = 'relative_bias'\nestimator = 'voronoi'\nintegrand = 'exp'\nat = 4\n";

@@ -1,22 +1,21 @@
 #include "studies/reproduction.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <chrono>
+#include <span>
+
+#include <fmt/ranges.h>
 
 #include "core/error.h"
 #include "core/random.h"
-#include "reports/run/store.h"
+#include "reports/run/merge.h"
+#include "reports/run/planning.h"
 #include "studies/measure.h"
 #include "studies/shipped.h"
 #include "studies/study_file.h"
 
 namespace plumb {
 namespace {
-
-using Path = std::filesystem::path;
-
-constexpr std::string_view prefix = "reproduce ";  // of the patterns of our runs in a store
 
 std::uint64_t replicates_of(const FigurePlan& plan, Size size) {
     if (size == Size::full) return plan.replicates;
@@ -27,29 +26,17 @@ bool chosen(const FigureTask& task, const std::string& pattern) {
     return matches(task.study.about.name, pattern) || matches(task.id, pattern);
 }
 
-/// Whether a stored run holds the figure of this task, for this seed and size.
-bool holds(const reports::RunInfo& stored, const FigureTask& task, const reports::RunInfo& run) {
-    return stored.fingerprint == task.fingerprint && stored.seed == run.seed && stored.size == run.size &&
-           stored.version == run.version && stored.finished;
+/// Of what was selected: runs of different figures must not be mixed.
+std::string fingerprint(const std::vector<FigureTask>& tasks) {
+    std::string all;
+    for (const FigureTask& task : tasks) all += task.text + "\n";
+    return fmt::format("{:016x}", stream_id(all));
 }
 
-bool is_reproduction(const reports::StoredRun& stored) {
-    return stored.run.patterns.starts_with(prefix);
-}
-
-/// The series of the tasks that the stores have, by fingerprint.
-std::map<std::string, std::vector<Series>> series_in(const std::vector<Path>& stores,
-                                                     const std::vector<FigureTask>& tasks,
-                                                     const reports::RunInfo& run) {
-    std::map<std::string, std::vector<Series>> found;
-    for (const Path& file : stores) {
-        const reports::Store store(file, reports::Store::Access::read);
-        for (const reports::StoredRun& stored : store.runs())
-            for (const FigureTask& task : tasks)
-                if (holds(stored.run, task, run) && !found.contains(task.fingerprint))
-                    found[task.fingerprint] = store.load(stored.id).series;
-    }
-    return found;
+void check_fingerprint(const std::vector<FigureTask>& tasks, const reports::RunInfo& run) {
+    if (fingerprint(tasks) != run.fingerprint)
+        throw Error(
+            fmt::format("the studies have changed since the run with seed {} was begun; measure them anew", run.seed));
 }
 
 template <int D>
@@ -82,6 +69,20 @@ std::vector<Series> all_series(const reports::FigureResult& figure) {
     return series;
 }
 
+/// The first so many of the series that a run has measured, taken away from them.
+std::vector<Series> next_series(std::span<const Series>& left, std::size_t count) {
+    const std::span<const Series> taken = left.first(count);
+    left = left.subspan(count);
+    return {taken.begin(), taken.end()};
+}
+
+/// How many of these figures, which are measured one after the other, a run with so many series has.
+std::size_t measured_figures(const std::vector<FigureTask>& tasks, std::size_t series) {
+    std::size_t figures = 0;
+    for (; figures < tasks.size() && tasks[figures].size() <= series; ++figures) series -= tasks[figures].size();
+    return figures;
+}
+
 std::string figure_id(const std::string& study, const std::string& figure) {
     return study + "-" + figure;
 }
@@ -99,13 +100,13 @@ void add_study(const Study& study, std::vector<reports::FigureResult> figures, r
     }
 }
 
-reports::StudyText about(const reports::RunInfo& run) {
-    return {.name = "reproduce",
-            .title = "What papers promise",
-            .text = fmt::format("Statements of papers, and what the estimators that come with Plumb say of them: {}.",
-                                run.size == "full" ? "the full size, with the replicates that each study asks for"
-                                                   : "the quick size, with a tenth of the replicates of each study"),
-            .source = ""};
+reports::StudyText about(const reports::RunInfo& run, const std::vector<std::string>& missing) {
+    std::string text =
+        fmt::format("Statements of papers, and what the estimators that come with Plumb say of them: {}.",
+                    run.size == "full" ? "the full size, with the replicates that each study asks for"
+                                       : "the quick size, with a tenth of the replicates of each study");
+    if (!missing.empty()) text += fmt::format("\n\nFigures that are not measured: {}.", fmt::join(missing, ", "));
+    return {.name = "reproduce", .title = "What papers promise", .text = text, .source = "", .several = true};
 }
 
 }  // namespace
@@ -120,9 +121,7 @@ std::vector<FigureTask> figure_tasks(const std::vector<std::pair<std::string, st
                 continue;
             plan.replicates = replicates_of(plan, size);
             const std::string id = name + "/" + plan.about.id;
-            const std::string fingerprint =
-                fmt::format("{:016x}", stream_id(fmt::format("{} {} {}", id, plan.replicates, text)));
-            tasks.push_back({study, std::move(plan), id, fingerprint});
+            tasks.push_back({study, plan, id, 0, fmt::format("{} {} {}", id, plan.replicates, text)});
         }
     }
     for (const std::string& pattern : patterns)
@@ -132,6 +131,7 @@ std::vector<FigureTask> figure_tasks(const std::vector<std::pair<std::string, st
         return !patterns.empty() &&
                std::ranges::none_of(patterns, [&](const std::string& pattern) { return chosen(task, pattern); });
     });
+    for (std::size_t i = 1; i < tasks.size(); ++i) tasks[i].position = tasks[i - 1].position + tasks[i - 1].size();
     return tasks;
 }
 
@@ -141,51 +141,86 @@ std::vector<FigureTask> shipped_figure_tasks(Size size, const std::vector<std::s
     return figure_tasks(studies, size, patterns);
 }
 
-void measure_missing(const std::vector<FigureTask>& tasks, const Shard& shard, const reports::RunInfo& run,
-                     const Path& store, const std::vector<Path>& others,
-                     const std::function<void(const std::string&)>& progress) {
-    reports::Store kept(store, reports::Store::Access::append);
-    std::vector<Path> stores = others;
-    stores.push_back(store);
-    const auto done = series_in(stores, tasks, run);
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-        const FigureTask& task = tasks[i];
-        const bool ours = static_cast<int>(i % static_cast<std::size_t>(shard.count)) == shard.index - 1;
-        if (!ours || done.contains(task.fingerprint)) continue;
-        const auto tell = [&](const std::string& what) { progress(task.study.about.name + ": " + what); };
-        const reports::FigureResult figure = measure_figure(task.study, task.plan, Run(run.seed, "study", 1), tell);
-        reports::Results results{.run = run, .series = all_series(figure)};
-        results.run.patterns = std::string(prefix) + task.id;
-        results.run.fingerprint = task.fingerprint;
-        results.run.finished = true;
-        kept.append(results);
-    }
+std::vector<FigureTask> shipped_tasks_of(const reports::RunInfo& run) {
+    return shipped_figure_tasks(reports::size_of(run), reports::patterns_of(run));
 }
 
-Reproduction gather(const std::vector<FigureTask>& tasks, const reports::RunInfo& run,
-                    const std::vector<Path>& stores) {
-    const auto found = series_in(stores, tasks, run);
-    Reproduction whole{{.run = run, .about = about(run), .figures = {}, .headlines = {}}, {}};
+std::vector<FigureTask> tasks_of_shard(const std::vector<FigureTask>& tasks, const Shard& shard) {
+    std::vector<FigureTask> ours;
+    const auto step = static_cast<std::size_t>(shard.count);
+    for (std::size_t i = static_cast<std::size_t>(shard.index) - 1; i < tasks.size(); i += step)
+        ours.push_back(tasks[i]);
+    return ours;
+}
+
+ReproductionPlan begin_reproduction(std::vector<FigureTask> tasks, reports::RunInfo run, reports::Store& store) {
+    run.selected = tasks.size();
+    run.fingerprint = fingerprint(tasks);
+    const std::int64_t number = store.begin(run, {});
+    return {std::move(run), number, std::move(tasks)};
+}
+
+ReproductionPlan resume_reproduction(const TasksOf& tasks_of, const reports::Store& store, const std::string& file) {
+    const reports::StoredRun stored = reports::newest_unfinished(store, file, false);
+    ReproductionPlan plan{stored.run, stored.id, tasks_of(stored.run)};
+    check_fingerprint(plan.tasks, plan.run);
+    plan.done = measured_figures(tasks_of_shard(plan.tasks, {plan.run.shard, plan.run.shards}),
+                                 store.load(plan.number).series.size());
+    return plan;
+}
+
+void measure_left(ReproductionPlan& plan, reports::Store& store, const std::stop_token& stop,
+                  const std::function<void(const std::string&)>& progress) {
+    using clock = std::chrono::steady_clock;
+    const auto start = clock::now();
+    const double before = plan.run.seconds;
+    const std::vector<FigureTask> ours = tasks_of_shard(plan.tasks, {plan.run.shard, plan.run.shards});
+    for (; plan.done < ours.size(); ++plan.done) {
+        const FigureTask& task = ours[plan.done];
+        const auto tell = [&](const std::string& what) {
+            progress(fmt::format("{}/{} {}: {}", plan.done + 1, ours.size(), task.study.about.name, what));
+        };
+        const reports::FigureResult figure =
+            measure_figure(task.study, task.plan, Run(plan.run.seed, "study", 1), tell);
+        if (stop.stop_requested()) return;
+        plan.run.seconds = before + std::chrono::duration<double>(clock::now() - start).count();
+        store.add(plan.number, task.position, all_series(figure), plan.run.seconds);
+    }
+    store.finish(plan.number);
+}
+
+reports::Results join_figures(const TasksOf& tasks_of, const std::vector<reports::Results>& shards) {
+    reports::Results joined{.run = reports::joined_run(shards)};
+    const std::vector<FigureTask> tasks = tasks_of(joined.run);
+    check_fingerprint(tasks, joined.run);
+    std::vector<std::span<const Series>> left;
+    for (const reports::Results& shard : shards) left.emplace_back(shard.series);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+        std::span<const Series>& of_shard = left[i % left.size()];
+        if (of_shard.size() < tasks[i].size())
+            throw Error(fmt::format("the shard of {} lacks series: its store is damaged", tasks[i].id));
+        std::ranges::move(next_series(of_shard, tasks[i].size()), std::back_inserter(joined.series));
+    }
+    return joined;
+}
+
+Reproduction gather(const std::vector<FigureTask>& tasks, const reports::Results& stored) {
+    const reports::RunInfo& run = stored.run;
+    const auto step = static_cast<std::size_t>(run.shards), first = static_cast<std::size_t>(run.shard) - 1;
+    Reproduction whole{{.run = run, .about = {}, .figures = {}, .headlines = {}}, {}};
+    std::span<const Series> left = stored.series;
     for (std::size_t i = 0; i < tasks.size();) {
         const Study& study = tasks[i].study;
         std::vector<reports::FigureResult> figures;
-        for (; i < tasks.size() && tasks[i].study.about.name == study.about.name; ++i) {
-            const auto series = found.find(tasks[i].fingerprint);
-            if (series == found.end())
-                whole.missing.push_back(tasks[i].id);
+        for (; i < tasks.size() && tasks[i].study.about.name == study.about.name; ++i)
+            if (i % step == first && left.size() >= tasks[i].size())
+                figures.push_back(figure_from(tasks[i].plan, next_series(left, tasks[i].size())));
             else
-                figures.push_back(figure_from(tasks[i].plan, series->second));
-        }
+                whole.missing.push_back(tasks[i].id);
         add_study(study, std::move(figures), whole.result);
     }
+    whole.result.about = about(run, whole.missing);
     return whole;
-}
-
-reports::RunInfo newest_reproduction(const Path& store) {
-    const std::vector<reports::StoredRun> runs = reports::Store(store, reports::Store::Access::read).runs();
-    const auto newest = std::find_if(runs.rbegin(), runs.rend(), is_reproduction);
-    if (newest == runs.rend()) throw Error(fmt::format("{}: no reproduction is there to go on with", store.string()));
-    return newest->run;
 }
 
 }  // namespace plumb

@@ -123,13 +123,13 @@ Action add(CLI::App& verb) {
     add_parsed(verb, "--edges", options->edges, parse_edges,
                "the longest paths that the image counts: 2 (direct light), or all; Plumb's own images say it "
                "themselves");
-    add_share(verb, "--delta", options->settings.delta, "how far a value may be off, of what is known");
+    add_share(verb, "--delta", options->settings.delta, "how far a value may be off, as a share of what is known");
     verb.add_option("--alpha", options->settings.alpha, "the risk of refuting an image that is right")
         ->check(probability())
         ->capture_default_str();
     verb.add_option("--json", options->json, "write all values as JSON to this file");
     verb.footer(
-        "Exit code: 0 all values are as known, 1 refuted, 2 usage or input error, 3 undecided. docs/compare.md.\n\n"
+        "Exit code: 0 all values are as known, 1 refuted, 2 usage or input error, 3 undecided. See docs/compare.md.\n\n"
         "Example: plumb check render.exr --expect quad_light --edges all");
     return [options](const Catalogue&) { return check(*options); };
 }
@@ -137,7 +137,7 @@ Action add(CLI::App& verb) {
 }  // namespace
 
 Verb check() {
-    return {"check", "Has an image the radiances that are known of its scene?", add};
+    return {"check", "Hold an image against the radiances that are known of its scene", add};
 }
 
 }  // namespace plumb::cli::verbs

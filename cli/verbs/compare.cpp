@@ -116,9 +116,10 @@ Action add(CLI::App& verb) {
     verb.add_option("--b", options->b, "independent renders of b");
     verb.add_flag("--exact-b", options->exact_b, "b has no error: a closed form, not a render");
     add_cache(verb, options->cache);
-    add_share(verb, "--delta", options->settings.delta, "how far the picture's mean may be off, of b's");
-    add_share(verb, "--tile-delta", options->settings.tile_delta, "how far a tile's mean may be off, of b's");
-    verb.add_option("--tile", options->settings.tile, "edge of a tile in pixels; about 256 tiles when not given")
+    add_share(verb, "--delta", options->settings.delta, "how far the picture's mean may be off, as a share of b's");
+    add_share(verb, "--tile-delta", options->settings.tile_delta,
+              "how far a tile's mean may be off, as a share of b's");
+    verb.add_option("--tile", options->settings.tile, "the edge of a tile in pixels; about 256 tiles when not given")
         ->check(CLI::Range(2, 1 << 16));
     verb.add_option("--alpha", options->settings.alpha, "the risk of refuting two true estimates")
         ->check(probability())
@@ -136,7 +137,7 @@ Action add(CLI::App& verb) {
 }  // namespace
 
 Verb compare() {
-    return {"compare", "Are two images estimates of the same picture?", add};
+    return {"compare", "Decide whether two images estimate the same picture", add};
 }
 
 }  // namespace plumb::cli::verbs

@@ -114,10 +114,11 @@ Action add(CLI::App& verb) {
     const auto options = std::make_shared<Options>();
     CLI::Option* estimators = verb.add_option(
         "estimators", options->estimators,
-        "e.g. independent torus-tent, or on scenes direct, direct+sobol; see plumb list estimators|integrators");
-    CLI::Option* on = verb.add_option("--on", options->integrands,
-                                      "integrands, e.g. exp, or scenes: SCENE, SCENE:x,y (a pixel), "
-                                      "SCENE:x,y,width,height");
+        "what to measure, e.g. independent torus-tent, or on scenes direct, direct+sobol; see plumb list");
+    CLI::Option* on =
+        verb.add_option("--on", options->integrands,
+                        "what they estimate: integrands, e.g. exp, or scenes: SCENE, SCENE:x,y (a pixel), "
+                        "SCENE:x,y,width,height");
     CLI::Option* images =
         verb.add_option("--images", options->images,
                         "instead: the error of images that you have, 'out_{spp}_{seed}.exr'; {seconds} too, if known")

@@ -38,11 +38,12 @@ int explain(const ExplainOptions& options) {
 Action add(CLI::App& verb) {
     const auto options = std::make_shared<ExplainOptions>();
     add_paths(verb, *options);
-    verb.add_option("x", options->x, "the pixel's column, from the left and 0")->required();
-    verb.add_option("y", options->y, "its row, from the top")->required();
-    verb.add_option("sample", options->sample, "which of its samples, from 0 to spp - 1")->required();
-    verb.add_option("--replicates", options->replicates,
-                    "passes of the render, where --spp did not say them: spp and replicates of the image's metadata")
+    verb.add_option("x", options->x, "the pixel's column, 0 at the left")->required();
+    verb.add_option("y", options->y, "the pixel's row, 0 at the top")->required();
+    verb.add_option("sample", options->sample, "which of the pixel's samples, 0 to spp - 1")->required();
+    verb.add_option(
+            "--replicates", options->replicates,
+            "passes of the render, where --spp did not set them: give spp and replicates as the image's metadata do")
         ->check(CLI::Range(1u, 1u << 24));
     add_seed(verb, options->seed);
     verb.add_option("--json", options->json, "write all of it as JSON to this file, every number to the bit");

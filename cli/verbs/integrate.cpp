@@ -41,7 +41,7 @@ int integrate(const Options& options) {
 }
 
 void add_work(CLI::App& verb, own::IntegralTask& task) {
-    CLI::Option* n = verb.add_option("--n", task.n, "samples a run [1024]");
+    CLI::Option* n = verb.add_option("--n", task.n, "samples in each run [1024]");
     n->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 32));
     add_parsed(verb, "--error", task.error, parse_error_target,
                "instead of --n: double n until the standard error is at most this, 1e-3 or 1%")
@@ -49,7 +49,7 @@ void add_work(CLI::App& verb, own::IntegralTask& task) {
     verb.add_option("--replicates", task.replicates, "independent runs, whose spread gives the error")
         ->check(CLI::Range(16, 1'000'000))
         ->capture_default_str();
-    verb.add_option("--max-evaluations", task.max_evaluations, "where --error gives up")
+    verb.add_option("--max-evaluations", task.max_evaluations, "evaluations of the integrand at which --error gives up")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 48))
         ->capture_default_str();
     verb.add_option("--batches", task.batches, "cut a file of independent samples into this many sets")
@@ -66,8 +66,10 @@ Action add(CLI::App& verb) {
                     "stratified-reweighted (1D), voronoi-reweighted (2D), independent");
     add_work(verb, *options);
     add_domain(verb, options->domain);
-    verb.add_option("--channel", options->channel, "of an image, or luminance; all when not given");
-    verb.add_option("--lookup", options->lookup, "in an image: nearest [default] or bilinear")
+    verb.add_option("--channel", options->channel,
+                    "the channel of an image, or luminance; all channels when not given");
+    verb.add_option("--lookup", options->lookup,
+                    "how an image is read between its pixels: nearest [default] or bilinear")
         ->check(CLI::IsMember({"nearest", "bilinear"}));
     add_seed_and_threads(verb, options->seed, options->threads);
     verb.add_option("--json", options->json, "write the answers as JSON to this file");

@@ -52,7 +52,7 @@ Action add_list(CLI::App& verb, const std::string& names, Lists (*lists)(const C
     };
     const auto options = std::make_shared<Options>();
     verb.add_option("what", options->what, names)->required();
-    verb.add_flag("--json", options->json, "as JSON, to standard output");
+    verb.add_flag("--json", options->json, "print the list as JSON");
     return [options, lists](const Catalogue& catalogue) {
         const Lists all = lists(catalogue);
         const auto found = all.find(options->what);

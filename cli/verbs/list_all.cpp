@@ -105,10 +105,11 @@ Lists shipped_lists(const Catalogue& catalogue) {
 Verb list_all() {
     return {"list", "List what Plumb knows", [](CLI::App& verb) {
                 verb.footer("Example: plumb list integrands --json");
-                return add_list(verb,
-                                "claims, mutants, integrands, estimators, integrators, drivers, samplers, scenes, "
-                                "bsdfs, emitters, sensors, shapes or textures",
-                                shipped_lists);
+                return add_list(
+                    verb,
+                    "one of claims, mutants, integrands, estimators, integrators, drivers, samplers, scenes, "
+                    "bsdfs, emitters, sensors, shapes or textures",
+                    shipped_lists);
             }};
 }
 

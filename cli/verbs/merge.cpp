@@ -22,7 +22,7 @@ int merge(const Options& options) {
 
 Action add(CLI::App& verb) {
     const auto options = std::make_shared<Options>();
-    verb.add_option("stores", options->stores, "the stores that the shards were verified with")->required();
+    verb.add_option("stores", options->stores, "the stores that the shards were written to")->required();
     add_outputs(verb, *options);
     verb.footer(
         "Exit code: as of plumb verify. Merging twice changes nothing.\n\n"

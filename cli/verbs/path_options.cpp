@@ -11,23 +11,25 @@ namespace plumb::cli {
 
 void add_transport(CLI::App& verb, PathOptions& options) {
     verb.add_option("scene", options.scene, "a scene in Mitsuba's XML, or the name of a shipped one")->required();
-    verb.add_option("--integrator", options.integrator, "see plumb list integrators")->capture_default_str();
+    verb.add_option("--integrator", options.integrator, "what a path is: see plumb list integrators")
+        ->capture_default_str();
     verb.add_option("--driver", options.driver, "which paths, in which passes: see plumb list drivers")
         ->capture_default_str();
-    verb.add_option("--sampler", options.sampler, "see plumb list samplers; sobol is sobol-owen")
+    verb.add_option("--sampler", options.sampler,
+                    "where random numbers come from: see plumb list samplers; sobol is short for sobol-owen")
         ->capture_default_str();
     verb.add_option_function<std::vector<std::string>>(
             "-P",
             [&](const std::vector<std::string>& texts) {
                 for (const std::string& text : texts) options.parameters.insert(parse_parameter(text));
             },
-            "name=value for a parameter of the integrator or the driver")
+            "a parameter of the integrator or the driver, name=value; may be given several times")
         ->check(checked(parse_parameter));
     verb.add_option("--max-depth", options.max_depth,
-                    "longest paths, in edges from the sensor (1: lights seen directly); -1: no limit")
+                    "the longest paths, in edges from the sensor (1: lights seen directly); -1: no limit")
         ->check(CLI::Range(-1, 30000))
         ->capture_default_str();
-    verb.add_option("--rr-depth", options.roulette_depth, "Russian roulette begins behind so many edges")
+    verb.add_option("--rr-depth", options.roulette_depth, "how many edges a path has before Russian roulette begins")
         ->check(CLI::Range(0, 30000))
         ->capture_default_str();
     verb.add_option_function<std::vector<std::string>>(
@@ -35,22 +37,22 @@ void add_transport(CLI::App& verb, PathOptions& options) {
             [&](const std::vector<std::string>& texts) {
                 for (const std::string& text : texts) options.definitions.insert(parse_definition(text));
             },
-            "name=value for $name in the file")
+            "what $name stands for in the scene's file, name=value; may be given several times")
         ->check(checked(parse_definition));
     verb.add_flag("--lenient", options.lenient, "replace what Plumb lacks where it can, and list it");
 }
 
 void add_paths(CLI::App& verb, PathOptions& options) {
     add_transport(verb, options);
-    verb.add_option("--length", options.length, "only paths of so many edges; 0: of all")
+    verb.add_option("--length", options.length, "trace only paths of so many edges; 0: of any number")
         ->check(CLI::Range(0, 30000))
         ->capture_default_str();
     add_parsed(verb, "--strategy", options.strategy, parse_strategy,
-               "of `bdpt`, one alone and unweighted: s,t for s vertices from the light and t from the sensor");
-    verb.add_option("--spp", options.samples_per_pixel, "samples a pixel")
+               "one strategy of bdpt, alone and unweighted: s,t for s vertices from the light and t from the sensor");
+    verb.add_option("--spp", options.samples_per_pixel, "samples of each pixel")
         ->check(CLI::Range(1u, 1u << 24))
         ->capture_default_str();
-    add_parsed(verb, "--crop", options.crop, parse_crop, "only these pixels: x,y,width,height");
+    add_parsed(verb, "--crop", options.crop, parse_crop, "render only these pixels: x,y,width,height");
 }
 
 RenderMethod method_of(const PathOptions& options) {

@@ -129,7 +129,7 @@ CLI::Option* add_error(CLI::App& verb, RenderOptions& options) {
     CLI::Option* error = add_parsed(verb, "--error", options.error, parse_error_target,
                                     "double the passes until the picture's RMSE is at most this, 1e-3, or 1% of the "
                                     "picture");
-    verb.add_option("--max-spp", options.most_samples, "samples a pixel, where --error gives up")
+    verb.add_option("--max-spp", options.most_samples, "samples of each pixel at which --error gives up")
         ->check(CLI::Range(64u, 1u << 24))
         ->needs(error)
         ->capture_default_str();
@@ -181,12 +181,13 @@ Action add(CLI::App& verb) {
     add_paths(verb, *options);
     CLI::Option* spp = verb.get_option("--spp");
     CLI::Option* time = add_parsed(verb, "--time", options->time, parse_duration,
-                                   "instead of --spp: as many passes of 4 samples as fit, e.g. 30s")
+                                   "instead of --spp: render as many passes of 4 samples as fit into, e.g., 30s")
                             ->excludes(spp);
     CLI::Option* error = add_error(verb, *options)->excludes(spp)->excludes(time);
     add_seed_and_threads(verb, options->seed, options->threads);
-    add_parsed(verb, "--shard", options->shard, parse_shard,
-               "every n-th pass from the i-th on, i/n, into a part of a film: plumb merge joins them. Needs --seed")
+    add_parsed(
+        verb, "--shard", options->shard, parse_shard,
+        "render every n-th pass from the i-th on, i/n, into a part of a film; plumb merge joins them. Needs --seed")
         ->needs(verb.get_option("--seed"))
         ->excludes(time)
         ->excludes(error);

@@ -18,6 +18,13 @@ struct Options {
     bool list = false;
 };
 
+// What the page shows unless told otherwise: a reproduction has a page of its own.
+std::int64_t newest(const std::vector<reports::StoredRun>& runs) {
+    const auto judging = std::find_if(runs.rbegin(), runs.rend(),
+                                      [](const reports::StoredRun& stored) { return judges_claims(stored.run); });
+    return (judging == runs.rend() ? runs.rbegin() : judging)->id;
+}
+
 int report(const Options& options) {
     const reports::Store store(options.store, reports::Store::Access::read);
     const std::vector<reports::StoredRun> runs = store.runs();
@@ -27,7 +34,7 @@ int report(const Options& options) {
         return 0;
     }
     check_writable(options.report);
-    const reports::Results results = store.load(options.run.value_or(runs.back().id));
+    const reports::Results results = store.load(options.run.value_or(newest(runs)));
     std::optional<reports::Results> against;
     if (options.against) against = store.load(*options.against);
     reports::write_report(results, against, options.report);
@@ -40,11 +47,11 @@ int report(const Options& options) {
 
 Action add(CLI::App& verb) {
     const auto options = std::make_shared<Options>();
-    verb.add_option("--run", options->run, "the run's number; the newest when not given");
+    verb.add_option("--run", options->run, "the run's number; the newest that judged claims when not given");
     verb.add_option("--against", options->against, "another run: show what changed since");
     verb.add_flag("--list", options->list, "list the stored runs instead");
-    verb.add_option("--store", options->store, "the SQLite store")->capture_default_str();
-    verb.add_option("--report", options->report, "where the page goes")->capture_default_str();
+    verb.add_option("--store", options->store, "the SQLite store that holds the runs")->capture_default_str();
+    verb.add_option("--report", options->report, "the HTML page to write")->capture_default_str();
     verb.footer("Example: plumb report --run 12 --against 11");
     return [options](const Catalogue&) { return report(*options); };
 }

@@ -1,78 +1,109 @@
 #include <CLI/CLI.hpp>
-#include <filesystem>
+#include <csignal>
+#include <limits>
 
 #include "cli/common_options.h"
 #include "cli/session.h"
 #include "cli/verb.h"
-#include "core/error.h"
+#include "cli/verbs/figure_outputs.h"
+#include "cli/watched.h"
+#include "core/parallel.h"
 #include "core/shard.h"
-#include "reports/study/folder.h"
-#include "reports/study/study_files.h"
-#include "studies/reproduction.h"
 
 namespace plumb::cli::verbs {
 namespace {
 
-struct Options {
-    std::vector<std::string> patterns, with;  ///< with: stores of other shards
+struct Options : FigureOutputs {
+    std::vector<std::string> patterns;
     bool full = false, resume = false;
-    std::optional<std::uint64_t> seed;
-    int threads = 0;
+    std::optional<std::uint64_t> seed;  ///< empty: a new one
+    int threads = 0;                    ///< 0: as many as the hardware has
     Shard shard;
-    std::string store = "out/reproduce.db", out = "out/reproduce";
 };
 
-int reproduce(Options options) {
+// The run that the options ask for, begun or gone on with.
+ReproductionPlan plan_of(const Options& options) {
     if (options.resume) {
-        const reports::RunInfo newest = newest_reproduction(options.store);
-        options.seed = newest.seed;
-        options.full = newest.size == "full";
+        const reports::Store store(options.store, reports::Store::Access::read);
+        return resume_reproduction(shipped_tasks_of, store, options.store);
     }
-    const auto tasks = shipped_figure_tasks(options.full ? Size::full : Size::quick, options.patterns);
-    reports::check_replaceable(options.out, {".html", ".csv", ".json", ".svg"});  // before the work
+    reports::RunInfo run = Session(options.seed, options.threads).run;
+    run.size = options.full ? "full" : "quick";
+    run.patterns = fmt::format("{}", fmt::join(options.patterns, " "));
+    run.shard = options.shard.index;
+    run.shards = options.shard.count;
+    std::vector<FigureTask> tasks = shipped_tasks_of(run);
+    reports::Store store(options.store, reports::Store::Access::append);
+    return begin_reproduction(std::move(tasks), std::move(run), store);
+}
 
-    Session session(options.seed, options.threads);
-    session.run.size = options.full ? "full" : "quick";
-    std::vector<std::filesystem::path> stores(options.with.begin(), options.with.end());
-    session.work([&] {
-        measure_missing(tasks, options.shard, session.run, options.store, stores,
-                        [&](const std::string& what) { session.show(what); });
-    });
-    stores.emplace_back(options.store);
-    const Reproduction whole = gather(tasks, session.run, stores);
-    reports::write_folder(options.out, reports::study_files(whole.result));
-    fmt::print("{}", reports::headline_table(whole.result.headlines, terminal_style()));
-    if (!whole.missing.empty())
-        fmt::print("not measured yet, by this shard or those of --with: {}\n", fmt::join(whole.missing, ", "));
-    fmt::print("reproduce: {}/index.html, figures in {}, seed {}, {:.1f} s\n", options.out, options.store,
-               session.run.seed, session.run.seconds);
-    return 0;
+// Measures and stores what is left of the plan; returns the signal that ended it early, 0 for none.
+int carry_out(ReproductionPlan& plan, const Options& options, reports::Store& store) {
+    ProgressLine line;
+    const auto work = [&](const std::stop_token& stop) {
+        with_threads(options.threads > 0 ? options.threads : plan.run.threads,
+                     [&] { measure_left(plan, store, stop, [&](const std::string& what) { line.show(what); }); });
+    };
+    const auto farewell = [&](int signal) {
+        line.clear();
+        fmt::print(stderr,
+                   "plumb: stopped by {}: {} of {} figures are kept in {}, run {}; `plumb reproduce --resume --store "
+                   "{}` goes on\n",
+                   signal == SIGINT ? "SIGINT" : "SIGTERM", plan.done,
+                   tasks_of_shard(plan.tasks, {plan.run.shard, plan.run.shards}).size(), options.store, plan.number,
+                   options.store);
+    };
+    return watched(
+        work, [] {}, farewell);
+}
+
+int reproduce(const Options& options) {
+    check_outputs(options);
+    ReproductionPlan plan = plan_of(options);
+    reports::Store store(options.store, reports::Store::Access::append);
+    if (const int signal = carry_out(plan, options, store)) return 128 + signal;
+    return publish(plan.tasks, store.load(plan.number), plan.number, options);
 }
 
 Action add(CLI::App& verb) {
     const auto options = std::make_shared<Options>();
-    verb.add_option("patterns", options->patterns, "of studies or STUDY/FIGURE, with * and ?; all when none is given");
-    CLI::Option* full = verb.add_flag("--full", options->full, "the replicates that each study asks for, not a tenth");
+    CLI::Option* patterns =
+        verb.add_option("patterns", options->patterns,
+                        "studies or figures (STUDY/FIGURE) to measure, e.g. 'sequences/*'; all when none is given");
+    CLI::Option* full = verb.add_flag("--full", options->full,
+                                      "the replicates that each study asks for (about 10 times the work), not a tenth");
     add_seed_and_threads(verb, options->seed, options->threads);
     CLI::Option* seed = verb.get_option("--seed");
-    CLI::Option* shard = add_parsed(verb, "--shard", options->shard, parse_shard,
-                                    "measure the i-th of n parts of the figures, i/n. Needs --seed")
-                             ->needs(seed);
-    verb.add_option("--with", options->with, "stores of other shards, whose figures count as measured");
-    CLI::Option* resume = verb.add_flag("--resume", options->resume, "go on with the store's newest seed and size");
-    for (CLI::Option* setting : {full, seed, shard}) resume->excludes(setting);
-    verb.add_option("--store", options->store, "where measured figures are kept")->capture_default_str();
-    verb.add_option("--out", options->out, "the folder that the page is written to")->capture_default_str();
+    CLI::Option* shard =
+        add_parsed(verb, "--shard", options->shard, parse_shard,
+                   "measure the i-th of n parts of the figures, i/n; plumb merge joins them. Needs --seed")
+            ->needs(seed);
+    CLI::Option* resume = verb.add_flag("--resume", options->resume,
+                                        "go on with the store's newest unfinished reproduction, with its settings");
+    for (CLI::Option* setting : {patterns, full, seed, shard}) resume->excludes(setting);
+    verb.add_option("--out", options->out, "the folder that the page is written to; '' for none")
+        ->capture_default_str();
+    verb.add_option("--store", options->store, "the SQLite store that the run is added to")->capture_default_str();
     verb.footer(
-        "Exit code: 0 whatever is met or not, as that is a fact about the papers; 2 usage or input error.\n\n"
-        "Example: plumb reproduce 'yakowitz' 'sequences/one-*'");
+        "Exit code: 0 whatever is met or not, as that is a fact about the papers; 2 usage or input error; 130 or 143\n"
+        "when SIGINT or SIGTERM ended it: the figures that were measured are stored, and --resume goes on.\n\n"
+        "Example: plumb reproduce yakowitz 'sequences/one-*'");
     return [options](const Catalogue&) { return reproduce(*options); };
+}
+
+std::string reason(const CLI::ParseError& error) {
+    const std::string_view what = error.what();
+    if (dynamic_cast<const CLI::ExcludesError*>(&error) && what.find("--resume") != std::string_view::npos)
+        return "a resumed run keeps the patterns, seed, size and shard that it began with";
+    if (dynamic_cast<const CLI::RequiresError*>(&error) && what.find("--shard") != std::string_view::npos)
+        return "all shards of a run must have the same seed";
+    return {};
 }
 
 }  // namespace
 
 Verb reproduce() {
-    return {"reproduce", "Lay what papers promise against what is measured: one page", add};
+    return {"reproduce", "Lay what papers promise against what is measured: one page", add, reason};
 }
 
 }  // namespace plumb::cli::verbs

@@ -78,7 +78,7 @@ int weights(const Options& options) {
 Action add(CLI::App& verb) {
     const auto options = std::make_shared<Options>();
     verb.add_option("points", options->points, "a CSV file with columns x or x,y")->required();
-    verb.add_flag("--periodic", options->periodic, "on the torus: opposite ends are one place");
+    verb.add_flag("--periodic", options->periodic, "weigh them on the torus, where opposite ends are one place");
     add_domain(verb, options->domain);
     verb.add_option("-o,--output", options->out, "where the CSV goes; standard output when not given");
     verb.footer("Example: plumb weights points.csv --periodic -o weights.csv");

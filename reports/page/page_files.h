@@ -8,6 +8,7 @@ namespace plumb::reports::page {
 std::string_view document();  ///< page.html, with {{style}} and the like where the others go
 std::string_view style();
 std::string_view series_styles();  ///< JSON
+std::string_view bibliography();   ///< docs/sources.md
 std::string_view d3();
 std::string_view plot();
 std::string_view script();                                                        ///< all of page/script/

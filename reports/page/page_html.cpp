@@ -11,6 +11,7 @@ std::string page_html(std::string_view title, std::string_view data) {
     const std::string heading = escaped(title), style = std::string(page::style()) + series_css();
     return filled(page::document(), {{"title", heading},
                                      {"style", style},
+                                     {"bibliography", page::bibliography()},
                                      {"data", data},
                                      {"licences", page::licences()},
                                      {"d3", page::d3()},

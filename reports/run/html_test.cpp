@@ -68,7 +68,8 @@ TEST_F(PageInBrowser, DrawsItsPlotsAndSurvivesEveryControl) {
     EXPECT_EQ(page.saw("found"), "2");
     EXPECT_THAT(page.saw("opened"), HasSubstr("mis/balance/corners"));
     EXPECT_EQ(page.saw("wrong-numbers"), "false");
-    EXPECT_EQ(page.saw("sections"), "overview differences verdicts convergence work stability mutants errata");
+    EXPECT_EQ(page.saw("sections"), "overview differences verdicts convergence work stability mutants errata sources");
+    EXPECT_EQ(page.saw("dead-links"), "0");
     EXPECT_EQ(page.saw("clamped"), "true");
     EXPECT_EQ(page.saw("escaped"), "true");
 }
@@ -105,6 +106,42 @@ TEST_F(PageInBrowser, DrawsAStudy) {
         EXPECT_EQ(page.saw("plots-after"), "4");
         EXPECT_EQ(page.saw("overflow"), "0");
         EXPECT_EQ(page.saw("sections"), "about first second");
+        EXPECT_EQ(page.saw("wrong-numbers"), "false");
+    }
+}
+
+/// A statement that the MSE's ratio is at most 1, and what was measured.
+Headline ratio(std::string source, double value, bool quoted) {
+    return {.source = std::move(source),
+            .place = "Fig. 1",
+            .states = "So it is.",
+            .quoted = quoted,
+            .figure = "first",
+            .measure = "MSE of a / MSE of b",
+            .stated = {.high = 1},
+            .value = value,
+            .interval = {0.8 * value, 1.25 * value},
+            .logarithmic = true,
+            .outcome = outcome_of({.high = 1}, {0.8 * value, 1.25 * value})};
+}
+
+TEST_F(PageInBrowser, LaysStatementsBesideMeasurementsBySource) {
+    StudyResult study{
+        .run = sample_results().run,
+        .about = {"s", "What papers promise", "Text.", "", true},
+        .figures = {},
+        .headlines = {ratio("[Owen 1997]", 0.5, true), ratio("ours, on [Veach 1997, section 9.2]", 3, false)}};
+    study.figures.push_back(
+        {{.id = "first", .title = "One: first"}, {{"exp", 1.7, {sample_results().claims[6].verdict.series}}}});
+    for (const int width : {1280, 360}) {
+        const Browsed page = browse(study_html(study), width);
+        EXPECT_THAT(page.messages, Not(HasSubstr("CONSOLE")));
+        EXPECT_EQ(page.saw("error"), "");
+        EXPECT_EQ(page.saw("overflow"), "0");
+        EXPECT_EQ(page.saw("sections"), "about headlines first sources");
+        EXPECT_EQ(page.saw("statements"), "“So it is.” So it is.");
+        EXPECT_EQ(page.saw("bands"), "2") << "a bound without a lower end is drawn too";
+        EXPECT_EQ(page.saw("dead-links"), "0");
         EXPECT_EQ(page.saw("wrong-numbers"), "false");
     }
 }

@@ -68,9 +68,9 @@ std::map<int, Part> parts_of(const fs::path& file) {
     }
     for (const auto& [shard, number] : unfinished)
         if (!parts.contains(shard))
-            throw Error(
-                fmt::format("{}: run {}, shard {}/{}, is unfinished; `plumb verify --resume --store {}` goes on",
-                            file.string(), number, shard, runs.back().run.shards, file.string()));
+            throw Error(fmt::format("{}: run {}, shard {}/{}, is unfinished; `plumb {} --resume --store {}` goes on",
+                                    file.string(), number, shard, runs.back().run.shards, verb_of(runs.back().run),
+                                    file.string()));
     return parts;
 }
 
@@ -84,7 +84,7 @@ void refuse_conflict(const Part& a, const Part& b) {
 void refuse_difference(const Part& a, const Part& b) {
     if (comparable(a.results) == comparable(b.results)) return;
     throw Error(
-        fmt::format("{} has other verdicts in {} than in {}: one of them was not made by this program, or had a "
+        fmt::format("{} has other results in {} than in {}: one of them was not made by this program, or had a "
                     "time limit",
                     name_of(a.results.run), a.store.string(), b.store.string()));
 }
@@ -107,16 +107,33 @@ std::map<int, Part> all_parts(const std::vector<fs::path>& stores) {
 
 }  // namespace
 
+std::vector<Results> shards_of(const std::vector<fs::path>& stores) {
+    std::vector<Results> shards;
+    for (std::map<int, Part> parts = all_parts(stores); auto& [shard, part] : parts)
+        shards.push_back(std::move(part.results));
+    return shards;
+}
+
+RunInfo joined_run(const std::vector<Results>& shards) {
+    RunInfo run = shards.front().run;
+    run.shard = run.shards = 1;
+    run.seconds = 0;
+    for (const Results& shard : shards) {
+        run.started = std::min(run.started, shard.run.started);
+        run.seconds += shard.run.seconds;
+    }
+    return run;
+}
+
 Results merge_shards(const std::vector<fs::path>& stores) {
-    std::map<int, Part> parts = all_parts(stores);
-    Results merged{.run = parts.begin()->second.results.run, .errata = parts.begin()->second.results.errata};
-    merged.run.shard = merged.run.shards = 1;
-    merged.run.seconds = 0;
-    for (auto& [shard, part] : parts) {
-        merged.run.started = std::min(merged.run.started, part.results.run.started);
-        merged.run.seconds += part.results.run.seconds;
-        std::ranges::move(part.results.claims, std::back_inserter(merged.claims));
-        std::ranges::move(part.results.mutants, std::back_inserter(merged.mutants));
+    std::vector<Results> shards = shards_of(stores);
+    Results merged{.run = joined_run(shards), .errata = shards.front().errata};
+    if (!judges_claims(merged.run))
+        throw Error(fmt::format("{}: holds a run of `plumb {}`, which judges no claims", stores.front().string(),
+                                verb_of(merged.run)));
+    for (Results& shard : shards) {
+        std::ranges::move(shard.claims, std::back_inserter(merged.claims));
+        std::ranges::move(shard.mutants, std::back_inserter(merged.mutants));
     }
     std::ranges::sort(merged.claims, {}, &ClaimResult::position);
     std::ranges::sort(merged.mutants, {}, &MutantResult::position);

@@ -7,15 +7,9 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "core/version.h"
-#include "reports/run/store.h"
 
 namespace plumb::reports {
 namespace {
-
-std::vector<std::string> patterns_of(const RunInfo& run) {
-    std::istringstream words(run.patterns);
-    return {std::istream_iterator<std::string>(words), {}};
-}
 
 // Two runs whose claims or shares differ must not be mixed.
 std::string fingerprint(const Catalogue& catalogue, const std::vector<Item>& items, Size size) {
@@ -49,6 +43,23 @@ Size size_of(const RunInfo& run) {
     return run.size == "full" ? Size::full : Size::quick;
 }
 
+std::vector<std::string> patterns_of(const RunInfo& run) {
+    std::istringstream words(run.patterns);
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
+StoredRun newest_unfinished(const Store& store, const std::string& file, bool judging) {
+    const std::vector<StoredRun> runs = store.runs();
+    const auto found = std::find_if(runs.rbegin(), runs.rend(), [&](const StoredRun& r) {
+        return !r.run.finished && judges_claims(r.run) == judging;
+    });
+    if (found == runs.rend()) throw Error(fmt::format("{}: no run is unfinished: there is nothing to resume", file));
+    if (found->run.version != version)
+        throw Error(fmt::format("{}: run {} was begun by version {}; only that one can go on with it, this is {}", file,
+                                found->id, found->run.version, version));
+    return *found;
+}
+
 RunPlan begin_run(const Catalogue& catalogue, RunInfo run, const std::vector<std::string>& patterns,
                   const std::string& store) {
     RunPlan plan{std::move(run)};
@@ -63,13 +74,8 @@ RunPlan begin_run(const Catalogue& catalogue, RunInfo run, const std::vector<std
 
 RunPlan unfinished_run(const Catalogue& catalogue, const std::string& file) {
     const Store store(file, Store::Access::read);
-    const std::vector<StoredRun> runs = store.runs();
-    const auto stored = std::find_if(runs.rbegin(), runs.rend(), [](const StoredRun& r) { return !r.run.finished; });
-    if (stored == runs.rend()) throw Error(fmt::format("{}: no run is unfinished: there is nothing to resume", file));
-    RunPlan plan{stored->run, stored->id};
-    if (plan.run.version != version)
-        throw Error(fmt::format("{}: run {} was begun by version {}; only that one can go on with it, this is {}", file,
-                                plan.number, plan.run.version, version));
+    const StoredRun stored = newest_unfinished(store, file, true);
+    RunPlan plan{stored.run, stored.id};
     plan.items = select(catalogue, size_of(plan.run), patterns_of(plan.run));
     if (fingerprint(catalogue, plan.items, size_of(plan.run)) != plan.run.fingerprint)
         throw Error(

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reports/run/results.h"
+#include "reports/run/store.h"
 #include "verification/runner.h"
 
 namespace plumb::reports {
@@ -18,6 +19,11 @@ struct RunPlan {
 };
 
 Size size_of(const RunInfo& run);
+std::vector<std::string> patterns_of(const RunInfo& run);
+
+/// The newest run of the store (in `file`) that is unfinished and judges claims, or does not (judges_claims()). Throws
+/// Error where there is none, or where another version of Plumb began it.
+StoredRun newest_unfinished(const Store& store, const std::string& file, bool judging);
 
 /// Begins a run in the store, of the shard of what its patterns select (everything when there is none). The run says
 /// seed, alpha, size and shard; the rest is filled in. Throws Error.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace plumb::reports {
 
 namespace {
@@ -12,6 +14,14 @@ void forget_seconds(std::vector<Series>& list) {
 }
 
 }  // namespace
+
+bool judges_claims(const RunInfo& run) {
+    return !std::isnan(run.alpha);
+}
+
+std::string_view verb_of(const RunInfo& run) {
+    return judges_claims(run) ? "verify" : "reproduce";
+}
 
 Results without_side_records(Results results) {
     results.run.started.clear();

@@ -26,6 +26,11 @@ struct RunInfo {
     double seconds = 0;          ///< wall clock
 };
 
+/// False of a run that measures figures instead (`plumb reproduce`): it has no false-alarm budget.
+bool judges_claims(const RunInfo& run);
+/// The name of the verb that makes such runs.
+std::string_view verb_of(const RunInfo& run);
+
 struct ClaimResult {
     std::string id, statement, source;
     Kind kind = Kind::exact;

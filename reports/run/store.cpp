@@ -130,10 +130,13 @@ void add_errata(const Database& database, std::int64_t run, const std::vector<Er
     for (const ErratumEntry& e : errata) insert.with(run, position++, e.source, e.printed, e.correct, e.claim).step();
 }
 
-void add_series(const Database& database, std::int64_t run, const std::vector<Series>& series) {
-    Statement insert(database, "INSERT INTO series VALUES (?, ?, ?, ?, ?)");
-    std::int64_t position = 0;
+void add_series(const Database& database, std::int64_t run, std::int64_t position, const std::vector<Series>& series) {
+    Statement insert(database, "INSERT INTO series VALUES (?, ?, ?, ?, ?) ON CONFLICT DO NOTHING");
     for (const Series& s : series) insert.with(run, position++, s.estimator, s.integrand, series_json(s)).step();
+}
+
+void set_seconds(const Database& database, std::int64_t run, double seconds) {
+    Statement(database, "UPDATE runs SET seconds = ? WHERE run = ?").with(seconds, run).step();
 }
 
 /// The JSON column of a run's rows in one of the tables, read back.
@@ -173,7 +176,7 @@ std::int64_t Store::append(const Results& results) {
     add_claims(*database_, run, results.claims);
     add_mutants(*database_, run, results.mutants);
     add_errata(*database_, run, results.errata);
-    add_series(*database_, run, results.series);
+    add_series(*database_, run, 0, results.series);
     transaction.commit();
     return run;
 }
@@ -192,7 +195,14 @@ void Store::add(std::int64_t run, const std::vector<ClaimResult>& claims, const 
     Transaction transaction(*database_);
     add_claims(*database_, run, claims);
     add_mutants(*database_, run, mutants);
-    Statement(*database_, "UPDATE runs SET seconds = ? WHERE run = ?").with(seconds, run).step();
+    set_seconds(*database_, run, seconds);
+    transaction.commit();
+}
+
+void Store::add(std::int64_t run, std::uint64_t position, const std::vector<Series>& series, double seconds) {
+    Transaction transaction(*database_);
+    add_series(*database_, run, static_cast<std::int64_t>(position), series);
+    set_seconds(*database_, run, seconds);
     transaction.commit();
 }
 

@@ -37,12 +37,14 @@ public:
     /// Stores a run in one transaction and returns its number: 1, 2, …
     std::int64_t append(const Results& results);
 
-    /// Stores a run as it goes: it begins unfinished and with no verdicts, and returns its number; verdicts are added
-    /// as they come, in any order (one that is there already is left as it is); finish() marks it as complete.
+    /// Stores a run as it goes: it begins unfinished and empty, and returns its number; verdicts and series are added
+    /// as they come, in any order (what is there already is left as it is); finish() marks it as complete.
     std::int64_t begin(const RunInfo& run, const std::vector<ErratumEntry>& errata);
     /// Adds in one transaction; `seconds` is what the run has taken so far.
     void add(std::int64_t run, const std::vector<ClaimResult>& claims, const std::vector<MutantResult>& mutants,
              double seconds);
+    /// Adds series in one transaction, the first of which is number `position` of the run's.
+    void add(std::int64_t run, std::uint64_t position, const std::vector<Series>& series, double seconds);
     void finish(std::int64_t run);
 
     /// The results of a run. Throws Error for a number that is not there, naming the last one that is.

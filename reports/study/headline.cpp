@@ -62,12 +62,13 @@ std::string headline_table(const std::vector<Headline>& headlines, const TableSt
 
 std::string headline_csv(const std::vector<Headline>& headlines) {
     std::string csv =
-        "source,place,states,figure,measure,stated_low,stated_high,measured,low,high,outcome,reason,remark\r\n";
+        "source,place,states,figure,measure,stated_low,stated_high,measured,low,high,outcome,reason,remark,quoted\r\n";
     for (const Headline& h : headlines)
-        csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", csv_cell(h.source), csv_cell(h.place),
+        csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", csv_cell(h.source), csv_cell(h.place),
                            csv_cell(h.states), csv_cell(h.figure), csv_cell(h.measure), finite_cell(h.stated.low),
                            finite_cell(h.stated.high), finite_cell(h.value), finite_cell(h.interval.low),
-                           finite_cell(h.interval.high), to_string(h.outcome), csv_cell(h.reason), csv_cell(h.remark));
+                           finite_cell(h.interval.high), to_string(h.outcome), csv_cell(h.reason), csv_cell(h.remark),
+                           h.quoted ? "yes" : "no");
     return csv;
 }
 

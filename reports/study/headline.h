@@ -25,7 +25,8 @@ HeadlineOutcome outcome_of(const Interval& stated, const Interval& measured);
 /// A statement of a source beside what was measured of it.
 struct Headline {
     std::string source, place;  ///< the paper; its figure, table or sentence
-    std::string states;         ///< in the source's words
+    std::string states;         ///< what the source states
+    bool quoted = false;        ///< in the source's own words; else in ours
     std::string figure = {};    ///< id of the study's figure that shows it; empty where nothing is measured
     std::string measure = {};   ///< what is measured, in words: "MSE of A / MSE of B on exp, n = 1024"
     Interval stated = {};       ///< the statement as a bound of that number
@@ -47,7 +48,7 @@ std::string headline_summary(const std::vector<Headline>& headlines);
 /// The headlines as text, a line for each, then the summary; nothing when there are none.
 std::string headline_table(const std::vector<Headline>& headlines, const TableStyle& style = {});
 /// Its rows: source, place, states, figure, measure, stated_low, stated_high, measured, low, high, outcome, reason,
-/// remark. RFC 4180; what is unknown or unbounded is an empty cell.
+/// remark, quoted (yes or no). RFC 4180; what is unknown or unbounded is an empty cell.
 std::string headline_csv(const std::vector<Headline>& headlines);
 
 }  // namespace plumb::reports

@@ -32,6 +32,7 @@ Json headline(const Headline& h) {
     return {{"source", h.source},
             {"place", h.place},
             {"states", h.states},
+            {"quoted", h.quoted},
             {"figure", h.figure},
             {"measure", h.measure},
             {"stated", json_values::interval(h.stated)},
@@ -73,6 +74,7 @@ std::string page_data(const StudyResult& study) {
                          {"title", study.about.title},
                          {"text", study.about.text},
                          {"source", study.about.source},
+                         {"several", study.about.several},
                          {"styles", styles},
                          {"figures", figures},
                          {"headline_level", headline_level},
@@ -90,7 +92,7 @@ std::string headlines_json(const StudyResult& study) {
 }
 
 std::string study_html(const StudyResult& study) {
-    return page_html("Plumb study: " + study.about.title, page_data(study));
+    return page_html((study.about.several ? "Plumb: " : "Plumb study: ") + study.about.title, page_data(study));
 }
 
 }  // namespace plumb::reports

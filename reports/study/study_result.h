@@ -37,6 +37,7 @@ struct FigureResult {
 /// The text of a study: what it is called, what it asks and where that comes from.
 struct StudyText {
     std::string name, title, text, source;
+    bool several = false;  ///< figures of several studies, whose titles begin with the study's and a colon
 };
 
 /// Everything that a study found: the one value that its page, CSV and plots render.

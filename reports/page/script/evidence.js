@@ -54,7 +54,7 @@ function evidence(claim, showSeries) {
       "dl",
       { class: "texts" },
       term("Why", claim.reason || DASH),
-      term("Source", claim.source),
+      term("Source", cited(claim.source)),
       mutantLines(claim),
       seriesLinks(claim, showSeries),
     ),

@@ -7,7 +7,7 @@ function runFacts(run) {
     "dl",
     { class: "facts" },
     fact("started", run.started.replace("T", " ").replace("Z", " UTC")),
-    fact("size", claims.length ? run.size : ""),
+    fact("size", claims.length || study?.several ? run.size : ""),
     fact("seed", run.seed),
     fact("false-alarm budget α", run.alpha === null ? "" : readable(run.alpha)),
     fact("threads", String(run.threads)),
@@ -76,17 +76,21 @@ const mark = () =>
     svgElement("path", { d: "M7 22h10l-2 8-3 7-3-7z", class: "bob" }),
   );
 
+/** Links to the sections; of several with one short title, to the first. */
+function sectionLinks(sections) {
+  const texts = sections.map((s) => s.dataset.short ?? s.querySelector("h2").textContent);
+  return sections
+    .map((s, i) => (texts[i] === texts[i - 1] ? null : h("li", {}, h("a", { href: `#${s.id}` }, texts[i]))))
+    .filter(Boolean);
+}
+
 function pageHeader(title, sections) {
   return [
     h("header", {}, mark(), h("div", {}, h("h1", {}, title), runFacts(results.run))),
     h(
       "nav",
       { "aria-label": "Sections" },
-      h(
-        "ul",
-        {},
-        sections.map((s) => h("li", {}, h("a", { href: `#${s.id}` }, s.querySelector("h2").textContent))),
-      ),
+      h("ul", {}, sectionLinks(sections)),
     ),
   ];
 }

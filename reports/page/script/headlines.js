@@ -15,7 +15,7 @@ function standing(outcome) {
 /** From a number to a place on the glyph: what is stated and what was measured, with a margin about them. */
 function headlineScale(headline, width) {
   const { stated, measured, logarithmic } = headline;
-  const f = logarithmic ? Math.log : (x) => x;
+  const f = logarithmic ? (x) => (x > 0 ? Math.log(x) : Number.isNaN(x) ? NaN : -Infinity) : (x) => x;
   const ends = [stated.low, stated.high, measured.low, measured.high, measured.value]
     .map((x) => f(num(x)))
     .filter(Number.isFinite);
@@ -34,7 +34,7 @@ function headlineGlyph(headline) {
   if (Number.isNaN(num(measured.value))) return null;
   const { width, height } = { width: 170, height: 18 };
   const x = headlineScale(headline, width);
-  const text = `stated ${headline.stated_text}, measured ${readable(measured.value)} ${interval(measured)}`;
+  const text = `stated ${interval(stated)}, measured ${readable(measured.value)} ${interval(measured)}`;
   const bar = (low, high, top, kind) =>
     svgElement("rect", { x: low, y: top, width: Math.max(high - low, 1.5), height: height - 2 * top, class: kind });
   const drawn = [bar(x(stated.low), x(stated.high), 1, "band")];
@@ -53,39 +53,59 @@ function headlineRow(headline) {
   const notes = [headline.reason, headline.remark].filter(Boolean).map((text) => h("div", { class: "note" }, text));
   const shown = Number.isNaN(num(measured.value))
     ? DASH
-    : [readable(measured.value), Number.isFinite(num(measured.low)) ? ` ${interval(measured)}` : ""];
+    : [readable(measured.value), Number.isFinite(num(measured.low)) ? [" ", h("span", { class: "range" }, interval(measured))] : null];
   const measure = headline.figure
     ? h("a", { href: `#${headline.figure}` }, headline.measure)
     : h("span", {}, headline.measure || "nothing here");
   return [
     standing(headline.outcome),
-    h("div", {}, h("b", {}, headline.place), h("div", { class: "states" }, `“${headline.states}”`), notes),
+    h("div", {}, h("b", {}, headline.place), h("div", { class: "states" }, headline.quoted ? `“${headline.states}”` : headline.states), notes),
     measure,
-    headline.stated_text,
+    h("span", { class: "range" }, interval(headline.stated)),
     h("span", {}, shown),
     headlineGlyph(headline) ?? DASH,
   ];
 }
 
+const outcomeCounts = (list) => Object.keys(STANDINGS).map((outcome) => list.filter((one) => one.outcome === outcome).length);
+
 const headlineCount = () =>
   Object.keys(STANDINGS)
-    .map((outcome) => `${study.headlines.filter((one) => one.outcome === outcome).length} ${outcome}`)
+    .map((outcome, i) => `${outcomeCounts(study.headlines)[i]} ${outcome}`)
     .join(", ");
+
+const papers = () => [...d3.group(study.headlines, (one) => one.source)];
+const paperId = (source) => `paper-${slug(source)}`;
+
+/** How many statements of each source ended how. */
+const paperTable = () =>
+  dataTable(
+    "Statements by source",
+    ["source", "statements", ...Object.keys(STANDINGS)],
+    papers().map(([source, list]) => [
+      h("a", { href: `#${paperId(source)}` }, source),
+      String(list.length),
+      ...outcomeCounts(list).map((n) => (n ? String(n) : DASH)),
+    ]),
+    [1, 2, 3, 4, 5],
+  );
 
 /** A table for each source, in the order of the files. */
 function headlineSection() {
   return section(
     "headlines",
     "Stated against measured",
-    `${headlineCount()}. Met: the ${readable(100 * study.headline_level, 4)} % interval of what was measured lies within what is stated; not met: it lies outside; undecided: it reaches across the end. The band is what is stated, the dot what was measured, the bar its interval; ratios stand on a logarithmic scale. Where a source gives words, how they are read as numbers is ours. Nothing is tuned to meet a statement.`,
-    [...d3.group(study.headlines, (one) => one.source)].map(([source, list]) => [
-      h("h3", {}, source),
+    `${headlineCount()}. Met: the ${readable(100 * study.headline_level, 4)} % interval of what was measured lies within what is stated; not met: it lies outside; undecided: it reaches across the end. The band is what is stated, the dot what was measured, the bar its interval; ratios stand on a logarithmic scale. What stands in quotation marks are the source's words; how words are read as numbers is ours. Nothing is tuned to meet a statement.`,
+    papers().length > 1 ? h("div", { class: "papers" }, paperTable()) : null,
+    papers().map(([source, list]) => [
+      h("h3", { id: paperId(source) }, cited(source)),
+      entryOfWhole(source),
       h(
         "div",
         { class: "headlines" },
         dataTable(
           `Statements of ${source}`,
-          ["outcome", "statement", "measured here as", "stated", "measured", ""],
+          ["outcome", "statement", "measured here as", "stated", "measured", "stated and measured"],
           list.map(headlineRow),
         ),
       ),

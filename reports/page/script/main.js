@@ -19,7 +19,7 @@ function show(title, sections, openClaim) {
 }
 
 function build() {
-  if (study) return show(`Study: ${study.title}`, studySections());
+  if (study) return show(study.several ? study.title : `Study: ${study.title}`, studySections().filter(Boolean));
   const convergence = allSeries.length ? convergenceSection() : null;
   const verdicts = claims.length ? verdictSection((integrand) => convergence?.show(integrand)) : null;
   const sections = [
@@ -31,6 +31,7 @@ function build() {
     allStability.length ? stabilitySection() : null,
     mutants.length ? mutantSection() : null,
     results.errata?.length ? errataSection() : null,
+    sourcesSection([...claims, ...(results.errata ?? [])].map((one) => one.source)),
   ].filter(Boolean);
   show(claims.length ? "Plumb: verification report" : "Plumb: convergence", sections, verdicts?.open);
 }

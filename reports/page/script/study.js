@@ -50,6 +50,9 @@ function studyNumbers(plan) {
   return h("div", { class: "numbers" }, table);
 }
 
+/** A plot's place in the bar of sections: over several studies, that of its study. */
+const shortTitle = (plan) => (study.several ? plan.title.split(": ")[0] : plan.title);
+
 function studySection(plan) {
   const state = {
     x: plan.x,
@@ -72,7 +75,7 @@ function studySection(plan) {
     state.y = plan.metrics[0];
     return axisChoice("Up", Y_AXES, state, "y", redraw);
   };
-  return section(
+  const element = section(
     plan.id,
     plan.title,
     null,
@@ -93,7 +96,11 @@ function studySection(plan) {
     ),
     studyNumbers(plan),
   );
+  element.dataset.short = shortTitle(plan);
+  return element;
 }
+
+const studyTexts = () => [study.source, ...study.headlines.map((one) => one.source)];
 
 /** What is compared, then the figures. */
 const studySections = () => [
@@ -101,8 +108,9 @@ const studySections = () => [
     "about",
     "What is compared",
     null,
-    h("div", { class: "lead" }, paragraphs(study.text), study.source ? h("p", {}, `Source: ${study.source}`) : null),
+    h("div", { class: "lead" }, paragraphs(study.text), study.source ? h("p", {}, "Source: ", cited(study.source)) : null),
   ),
-  ...(study.headlines.length ? [headlineSection()] : []),
+  study.headlines.length ? headlineSection() : null,
   ...study.figures.map(studySection),
+  sourcesSection(studyTexts()),
 ];

@@ -42,7 +42,7 @@ function errataSection() {
       results.errata.map((e) => {
         const claim = claimById.get(e.claim);
         return [
-          e.source,
+          h("span", {}, cited(e.source)),
           e.printed,
           e.correct,
           h("span", {}, claim ? badge(claim.outcome) : null, " ", claimLink(e.claim)),

@@ -9,6 +9,13 @@ function look() {
   saw.width = document.documentElement.clientWidth;
   saw.overflow = document.documentElement.scrollWidth - document.documentElement.clientWidth;
   saw.clamped = all(".note").some((e) => e.textContent.includes("2 confidence bounds at or below 0"));
+  saw.statements = all(".states")
+    .map((e) => e.textContent)
+    .join(" ");
+  saw.bands = all(".headlines .band").filter((e) => Number(e.getAttribute("width")) > 2).length;
+  saw.deadLinks = all('a[href^="#"]').filter(
+    (e) => !e.hash.startsWith("#claim=") && !document.getElementById(decodeURIComponent(e.hash.slice(1))),
+  ).length;
   saw.escaped = all(".statement").some((e) => e.textContent.includes("<script>alert(1)"));
 }
 
