@@ -1,25 +1,15 @@
 #include "cli/common_options.h"
 
-#include <charconv>
-
 #include "cli/values.h"
 #include "core/error_target.h"
+#include "core/numbers.h"
 
 namespace plumb::cli {
 namespace {
 
-template <class Number>
-std::optional<Number> whole_text(const std::string& text) {
-    Number value{};
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failure != std::errc() || end != text.data() + text.size()) return {};
-    return value;
-}
-
 const CLI::Validator whole_number(
     [](const std::string& text) -> std::string {
-        return whole_text<std::uint64_t>(text) ? ""
-                                               : fmt::format("'{}' is not a whole number from 0 to 2^64 - 1", text);
+        return number_of<std::uint64_t>(text) ? "" : fmt::format("'{}' is not a whole number from 0 to 2^64 - 1", text);
     },
     "from 0 to 2^64 - 1");
 
@@ -28,7 +18,7 @@ const CLI::Validator whole_number(
 const CLI::Validator& probability() {
     static const CLI::Validator in_0_1(
         [](const std::string& text) -> std::string {
-            const std::optional<double> value = whole_text<double>(text);
+            const std::optional<double> value = number_of<double>(text);
             return value && *value > 0 && *value < 1 ? "" : fmt::format("'{}' is not a number in (0, 1)", text);
         },
         "in (0, 1)");

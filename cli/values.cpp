@@ -2,8 +2,9 @@
 #include <cmath>
 
 #include "cli/values.h"
+#include "core/csv.h"
 #include "core/error.h"
-#include "core/integers.h"
+#include "core/numbers.h"
 
 namespace plumb::cli {
 
@@ -19,15 +20,13 @@ std::chrono::duration<double> parse_duration(const std::string& text) {
 
 std::vector<double> parse_domain(const std::string& text) {
     std::vector<double> ends;
-    std::string_view rest = text;
-    for (bool comma = true; comma;) {
-        const auto [end, failure] = std::from_chars(rest.data(), rest.data() + rest.size(), ends.emplace_back());
-        if (failure != std::errc()) break;
-        rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-        comma = rest.starts_with(',');
-        rest.remove_prefix(comma ? 1 : 0);
+    bool good = true;
+    for (const std::string_view field : csv_fields(text)) {
+        const std::optional<double> end = csv_number(field);
+        good = good && end;
+        ends.push_back(end.value_or(0));
     }
-    bool good = rest.empty() && !text.ends_with(',') && (ends.size() == 2 || ends.size() == 4);
+    good = good && (ends.size() == 2 || ends.size() == 4);
     for (std::size_t i = 0; good && i < ends.size(); i += 2)
         good = ends[i] < ends[i + 1] && std::isfinite(ends[i + 1] - ends[i]);
     if (!good)

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "core/error.h"
+#include "core/numbers.h"
 
 namespace plumb {
 namespace {
@@ -70,10 +70,7 @@ std::vector<std::string_view> csv_fields(std::string_view line) {
 
 std::optional<double> csv_number(std::string_view field) {
     if (field.size() > 1 && field[0] == '+' && field[1] != '-') field.remove_prefix(1);
-    double value = 0;
-    const auto [end, failure] = std::from_chars(field.data(), field.data() + field.size(), value);
-    if (failure != std::errc() || end != field.data() + field.size()) return {};
-    return value;
+    return number_of<double>(field);
 }
 
 std::string NumberTable::where(std::size_t row, std::size_t column) const {

@@ -69,6 +69,24 @@ void write_aside(const fs::path& file, const std::function<std::string(const fs:
     fail(file, error ? error.message() : reason);
 }
 
+void write_folder_aside(const fs::path& folder, const std::function<void(const fs::path& here)>& write) {
+    const fs::path here = name_aside(folder), before = name_aside(folder);
+    std::error_code error, ignored;
+    try {
+        write(here);
+        const bool replaces = fs::exists(folder);
+        if (replaces) fs::rename(folder, before, error);
+        if (error) fail(folder, error.message());
+        fs::rename(here, folder, error);
+        if (error && replaces) fs::rename(before, folder, ignored);
+        if (error) fail(folder, error.message());
+    } catch (...) {
+        fs::remove_all(here, ignored);
+        throw;
+    }
+    fs::remove_all(before, ignored);
+}
+
 void write_file(const fs::path& file, std::string_view text) {
     write_aside(file, [&](const fs::path& here) { return write_here(here, text); });
 }

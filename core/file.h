@@ -17,6 +17,10 @@ void write_aside(const std::filesystem::path& file,
 /// Makes the text the whole content of the file, by write_aside().
 void write_file(const std::filesystem::path& file, std::string_view text);
 
+/// The same of a whole folder, which `write` makes and fills: it takes the place of a former one and of all in it.
+void write_folder_aside(const std::filesystem::path& folder,
+                        const std::function<void(const std::filesystem::path& here)>& write);
+
 /// Throws the Error that write_aside() would, as far as one can know before; leaves nothing behind.
 void check_writable(const std::filesystem::path& file);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "core/error.h"
 #include "core/test_folder.h"
 
 namespace plumb {
@@ -42,6 +43,24 @@ TEST(WriteFile, KeepsLinksAndWritesToDevices) {
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
     EXPECT_THAT(error_of([&] { write_file("/dev/full", "text"); }),
                 HasSubstr("/dev/full: cannot be written: No space"));
+}
+
+TEST(WriteFolderAside, TakesThePlaceOfTheFormerFolderOrLeavesItAsItWas) {
+    const TestFolder folder;
+    const auto fill = [](const char* name) {
+        return [name](const fs::path& here) { write_file(here / name, "text"); };
+    };
+    write_folder_aside(folder / "out", fill("a.txt"));
+    write_folder_aside(folder / "out", fill("b.txt"));
+    EXPECT_FALSE(fs::exists(folder / "out/a.txt"));
+    EXPECT_TRUE(fs::exists(folder / "out/b.txt"));
+    const auto half = [](const fs::path& here) {
+        write_file(here / "c.txt", "text");
+        throw Error("no more");
+    };
+    EXPECT_EQ(error_of([&] { write_folder_aside(folder / "out", half); }), "no more");
+    EXPECT_TRUE(fs::exists(folder / "out/b.txt"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1) << "a leftover";
 }
 
 TEST(WriteAside, GivesEveryWriterANameOfItsOwnWithTheExtension) {

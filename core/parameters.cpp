@@ -4,11 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <stdexcept>
 
 #include "core/error.h"
+#include "core/numbers.h"
 
 namespace plumb {
 
@@ -23,10 +23,8 @@ struct Overloaded : F... {
 
 template <class Number>
 std::optional<Number> number_in(const std::string& text, Number least, Number most) {
-    Number value{};
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = failure == std::errc() && end == text.data() + text.size();
-    return whole && value >= least && value <= most ? std::optional(value) : std::nullopt;
+    const auto value = number_of<Number>(text);
+    return value && *value >= least && *value <= most ? value : std::nullopt;
 }
 
 // The value that the text says; empty for what is not accepted.

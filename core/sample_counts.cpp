@@ -1,16 +1,14 @@
 #include "core/sample_counts.h"
 
-#include <charconv>
-
 #include "core/error.h"
+#include "core/numbers.h"
 
 namespace plumb {
 
 std::vector<std::uint64_t> parse_sample_counts(const std::string& text) {
     const auto number = [&](std::string_view part) {
-        std::uint64_t value = 0;
-        const auto [end, failure] = std::from_chars(part.data(), part.data() + part.size(), value);
-        if (failure != std::errc() || end != part.data() + part.size() || value == 0 || value > most_samples)
+        const auto value = number_of<std::uint64_t>(part).value_or(0);
+        if (value == 0 || value > most_samples)
             throw Error(fmt::format(
                 "'{}' is not a sample count between 1 and 2^32, in '{}'; accepted: 16..65536 or 16,100,1000", part,
                 text));

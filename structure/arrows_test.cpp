@@ -49,7 +49,7 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"verification/evidence", {"verification/"}},
     {"verification/pictures", {"verification/", "verification/evidence"}},
     {"verification/suites", {"analytic", "checks", "estimators", "integrators", "scenes", "verification"}},
-    {"checks/bsdf", {"scenes/bsdfs", "verification/", "verification/evidence"}},
+    {"checks/bsdf", {"estimators/densities", "scenes/bsdfs", "verification/", "verification/evidence"}},
     {"checks/sampler", {"estimators/densities", "verification/", "verification/evidence"}},
     {"reports/images", {"reports/page", "reports/run", "reports/text", "verification/pictures"}},
     {"reports/page", {"reports/text"}},

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <regex>
 
 #include "core/error.h"
+#include "core/numbers.h"
 
 namespace plumb {
 
@@ -55,11 +55,9 @@ Pattern parse(const std::string& name, const std::string& whole) {
 
 template <class Number>
 Number number(const std::string& text, const std::string& file) {
-    Number value{};
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failure != std::errc() || end != text.data() + text.size() || !(value > 0))
-        throw Error(fmt::format("{}: '{}' in its name is no number above 0", file, text));
-    return value;
+    const auto value = number_of<Number>(text);
+    if (!value || !(*value > 0)) throw Error(fmt::format("{}: '{}' in its name is no number above 0", file, text));
+    return *value;
 }
 
 }  // namespace

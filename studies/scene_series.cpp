@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/error.h"
-#include "core/integers.h"
+#include "core/numbers.h"
 #include "core/moments.h"
 #include "core/parallel.h"
 #include "integrators/drivers/region_estimate.h"

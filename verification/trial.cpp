@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cstdlib>
 
 #include "core/error.h"
+#include "core/numbers.h"
 
 namespace plumb {
 namespace {
@@ -13,12 +13,8 @@ namespace {
 std::uint64_t seed_from_environment() {
     const char* const given = std::getenv("PLUMB_SEED");
     if (!given) return fresh_seed();
-    const std::string_view text = given;
-    std::uint64_t seed = 0;
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), seed);
-    if (failure != std::errc() || end != text.data() + text.size())
-        throw Error(fmt::format("PLUMB_SEED is '{}'; accepted: a whole number below 2^64", text));
-    return seed;
+    if (const auto seed = number_of<std::uint64_t>(given)) return *seed;
+    throw Error(fmt::format("PLUMB_SEED is '{}'; accepted: a whole number below 2^64", given));
 }
 
 }  // namespace

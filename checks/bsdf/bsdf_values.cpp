@@ -1,7 +1,7 @@
 #include <cmath>
-#include <numbers>
 
 #include "checks/bsdf/check_bsdf.h"
+#include "estimators/densities/warps.h"
 #include "verification/evidence/deterministic.h"
 
 namespace plumb::checks {
@@ -18,12 +18,6 @@ std::string printed(const Spectrum& s) {
 }
 std::string printed(Vec3 w) {
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", w.x, w.y, w.z);
-}
-
-Vec3 uniform_direction(RandomStream& random) {
-    const double z = 1 - 2 * random.uniform(), phi = 2 * std::numbers::pi * random.uniform();
-    const double r = std::sqrt(std::max(0.0, 1 - z * z));
-    return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
 /// What is wrong with eval() and pdf() for these directions; empty where nothing is.
@@ -70,7 +64,7 @@ Verdict values_are_sound(const BsdfSubject& bsdf, const Run& run) {
         std::optional<Vec3> promised;  // where pdf() says that samples go
         bool sampled = false;
         for (int k = 0; k < tries; ++k, ++cases) {
-            const Vec3 wi = uniform_direction(random);
+            const Vec3 wi = sample_uniform_sphere({random.uniform(), random.uniform()});
             if (const std::string fault = fault_at(bsdf, wo, wi); !fault.empty()) return refuted(cases, fault, wo, wi);
             if (bsdf.pdf(wo, wi) > 0) promised = wi;
             const std::array<double, 3> u{random.uniform(), random.uniform(), random.uniform()};

@@ -1,14 +1,15 @@
 #include "checks/sampler/cell_density.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <sstream>
 
+#include "core/csv.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "estimators/densities/density.h"
@@ -22,26 +23,9 @@ constexpr std::size_t most_cells = 4096;
 
 using Parameters = std::vector<double>;
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(separator, begin), text.size());
-        parts.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return parts;
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = std::min(text.find_first_not_of(" \t\r"), text.size());
-    return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
-}
-
-std::optional<double> number(std::string_view text) {
-    double value = 0;
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failure != std::errc() || end != text.data() + text.size() || std::isnan(value)) return {};
-    return value;
+std::optional<double> number(std::string_view field) {
+    const std::optional<double> value = csv_number(field);
+    return value && !std::isnan(*value) ? value : std::nullopt;
 }
 
 // Cells of equal probability: their ends are the density's own quantiles.
@@ -85,7 +69,7 @@ const std::array named_densities{
 CellDensity make_named(const Named& named, std::string_view text) {
     Parameters parameters;
     if (const std::size_t colon = text.find(':'); colon != std::string_view::npos)
-        for (const std::string_view part : split(text.substr(colon + 1), ','))
+        for (const std::string_view part : csv_fields(text.substr(colon + 1)))
             if (const auto value = number(part)) parameters.push_back(*value);
     const std::string form =
         named.count == 0 ? std::string(named.name) : fmt::format("{}:{}", named.name, named.parameters);
@@ -100,15 +84,15 @@ CellDensity make_named(const Named& named, std::string_view text) {
 class Table {
 public:
     Table(std::string_view text, const std::string& name) : name_(name) {
-        std::size_t line = 0;
-        for (const std::string_view raw : split(text, '\n')) {
-            ++line;
-            const std::string_view row = trimmed(raw);
-            if (row.empty() || row.front() == '#') continue;
+        std::istringstream rows{std::string(text)};
+        std::size_t line = 1;
+        for (std::string row; std::getline(rows, row); ++line) {
+            const std::vector<std::string_view> fields = csv_fields(row);
+            if ((fields.size() == 1 && fields[0].empty()) || fields[0].starts_with('#')) continue;
             if (columns_.empty())
-                read_heading(row, line);
+                read_heading(fields, line);
             else
-                read_row(row, line);
+                read_row(fields, line);
         }
         if (columns_.empty()) throw Error(fmt::format("{}: no heading; accepted: {}", name, headings));
     }
@@ -119,28 +103,28 @@ private:
     static constexpr std::string_view headings =
         "from,to,density or from,to,probability; x_from,x_to,y_from,y_to,… in two dimensions";
 
-    void read_heading(std::string_view row, std::size_t line) {
-        for (const std::string_view part : split(row, ',')) columns_.emplace_back(trimmed(part));
+    void read_heading(const std::vector<std::string_view>& fields, std::size_t line) {
+        columns_.assign(fields.begin(), fields.end());
         const std::vector<std::string> ends(columns_.begin(), columns_.end() - 1);
         density.dimension = ends.size() == 4 ? 2 : 1;
         is_density_ = columns_.back() == "density";
         const bool known = ends == std::vector<std::string>{"from", "to"} ||
                            ends == std::vector<std::string>{"x_from", "x_to", "y_from", "y_to"};
         if (!known || (!is_density_ && columns_.back() != "probability"))
-            throw Error(fmt::format("{}, line {}: the heading is '{}'; accepted: {}", name_, line, row, headings));
+            throw Error(fmt::format("{}, line {}: the heading is '{}'; accepted: {}", name_, line,
+                                    fmt::join(fields, ","), headings));
     }
 
-    void read_row(std::string_view row, std::size_t line) {
-        const std::vector<std::string_view> parts = split(row, ',');
+    void read_row(const std::vector<std::string_view>& parts, std::size_t line) {
         if (parts.size() != columns_.size())
             throw Error(
                 fmt::format("{}, line {}: {} values for {} columns", name_, line, parts.size(), columns_.size()));
         std::vector<double> values;
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            const auto value = number(trimmed(parts[i]));
+            const auto value = number(parts[i]);
             if (!value)
-                throw Error(fmt::format("{}, line {}, column {}: '{}' is not a number", name_, line, columns_[i],
-                                        trimmed(parts[i])));
+                throw Error(
+                    fmt::format("{}, line {}, column {}: '{}' is not a number", name_, line, columns_[i], parts[i]));
             values.push_back(*value);
         }
         CellDensity::Cell cell{.x = {values[0], values[1]}, .y = {}, .probability = values.back()};

@@ -58,6 +58,7 @@ TEST(ReadDensity, SaysWhatItKnows) {
     EXPECT_THAT(complaint([] { read_density("gaussian"); }), HasSubstr("known: uniform, linear"));
     EXPECT_THAT(complaint([] { read_density("linear:1"); }), HasSubstr("of the form linear:A,B"));
     EXPECT_THAT(complaint([] { read_density("linear:1,x"); }), HasSubstr("of the form linear:A,B"));
+    EXPECT_THAT(complaint([] { read_density("linear:nan,1"); }), HasSubstr("of the form linear:A,B"));
     EXPECT_THAT(complaint([] { read_density("uniform:3"); }), HasSubstr("of the form uniform"));
     EXPECT_THAT(complaint([] { read_density("linear:0,0"); }), HasSubstr("one > 0"));
 }
@@ -82,6 +83,7 @@ TEST(DensityTable, IsRefusedWithLineAndColumn) {
     EXPECT_THAT(table_complaint("from,to,density\n0,1,1,1\n"), HasSubstr("line 2: 4 values for 3 columns"));
     EXPECT_THAT(table_complaint("from,to,density\n0,zwei,1\n"), HasSubstr("line 2, column to: 'zwei' is not a number"));
     EXPECT_THAT(table_complaint("from,to,density\n0,1,nan\n"), HasSubstr("'nan' is not a number"));
+    EXPECT_THAT(table_complaint("from,to,density\nnan,1,1\n"), HasSubstr("line 2, column from: 'nan' is not a"));
     EXPECT_THAT(table_complaint("from,to,density\n1,0,1\n"), HasSubstr("ends at 0 before it begins at 1"));
     EXPECT_THAT(table_complaint("from,to,density\n0,1,-1\n"), HasSubstr("column density: -1"));
     EXPECT_THAT(table_complaint("from,to,density\n0,inf,1\n"), HasSubstr("no finite probability"));

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
 #include "checks/sampler/cell_density.h"
+#include "core/csv.h"
 #include "core/error.h"
 #include "core/process.h"
 #include "verification/evidence/distribution.h"
@@ -28,21 +27,15 @@ std::string filled_in(std::string command, std::string_view place, std::uint64_t
 
 // One sample, `x` or `x,y`. Infinities and NaN are numbers: a sampler that returns them is wrong, not unreadable.
 Point<2> parse_sample(std::string_view line, int dimension, std::uint64_t number) {
+    const std::vector<std::string_view> fields = csv_fields(line);
     Point<2> point{};
-    const char *at = line.data(), *const end = line.data() + line.size();
-    bool good = true;
-    const auto skip_blanks = [&] {
-        while (at != end && (*at == ' ' || *at == '\t' || *at == '\r')) ++at;
-    };
+    bool good = fields.size() == static_cast<std::size_t>(dimension);
     for (int axis = 0; axis < dimension && good; ++axis) {
-        if (axis > 0) good = at != end && *at++ == ',';
-        skip_blanks();
-        const auto [after, failure] = std::from_chars(at, end, point[axis]);
-        good = good && failure == std::errc();
-        at = after;
-        skip_blanks();
+        const std::optional<double> x = csv_number(fields[static_cast<std::size_t>(axis)]);
+        good = x.has_value();
+        if (good) point[axis] = *x;
     }
-    if (good && at == end) return point;
+    if (good) return point;
     throw Error(fmt::format("line {} of the sampler is '{}'; accepted: {}", number, line.substr(0, 60),
                             dimension == 1 ? "a number, x" : "two numbers, x,y"));
 }

@@ -3,7 +3,7 @@
 #include "cli/session.h"
 #include "cli/verb.h"
 #include "cli/verbs/lists.h"
-#include "core/error.h"
+#include "core/named.h"
 #include "verification/claim.h"
 
 namespace plumb::cli {
@@ -55,13 +55,8 @@ Action add_list(CLI::App& verb, const std::string& names, Lists (*lists)(const C
     verb.add_flag("--json", options->json, "print the list as JSON");
     return [options, lists](const Catalogue& catalogue) {
         const Lists all = lists(catalogue);
-        const auto found = all.find(options->what);
-        if (found == all.end()) {
-            std::vector<std::string> known;
-            for (const auto& [name, rows] : all) known.push_back(name);
-            throw unknown_name("list", options->what, known);
-        }
-        const std::vector<reports::ListRow> rows = found->second();
+        const std::vector<reports::ListRow> rows =
+            find_named(all, options->what, "list", &Lists::value_type::first).second();
         fmt::print("{}", options->json ? reports::list_json(rows) : reports::list_table(rows, terminal_style()));
         return 0;
     };

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
-#include "core/error.h"
+#include "core/named.h"
 #include "reports/text/text.h"
 
 namespace plumb::reports {
@@ -53,14 +52,11 @@ constexpr ErrorMetric metrics[] = {
     {.name = "efficiency", .label = "efficiency 1 / (MSE × cost)", .value = efficiency, .by_cost = true},
 };
 
+/// The value of an enumeration whose names stand in the list, in its order.
 template <class Value, class List>
 Value value_from(const List& list, std::string_view what, std::string_view name) {
-    std::vector<std::string> known;
-    for (std::size_t i = 0; i < std::size(list); ++i) {
-        if (name == list[i].name) return static_cast<Value>(i);
-        known.emplace_back(list[i].name);
-    }
-    throw unknown_name(what, name, known);
+    const auto& entry = find_named(list, name, what, [](const auto& e) { return std::string_view(e.name); });
+    return static_cast<Value>(&entry - std::data(list));
 }
 
 const WorkAxis& axis(Work work) {

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include <charconv>
 #include <system_error>
 
 #include "core/error.h"
+#include "core/numbers.h"
 #include "reports/run/json.h"
 #include "reports/run/sqlite.h"
 
@@ -81,12 +81,11 @@ std::int64_t add_run(const Database& database, const RunInfo& run) {
 
 std::uint64_t seed_from(const Statement& row, int column) {
     const std::string text = row.text(column);
-    std::uint64_t seed = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-    if (error != std::errc() || end != text.data() + text.size())
+    const auto seed = number_of<std::uint64_t>(text);
+    if (!seed)
         throw Error(fmt::format("{}: run {} has the seed '{}', which is no number", row.database().file().string(),
                                 row.integer(0), text));
-    return seed;
+    return *seed;
 }
 
 RunInfo run_info(const Statement& row) {  // of a query for runs.*

@@ -1,21 +1,11 @@
 #include "reports/study/folder.h"
 
-#include <unistd.h>
-
 #include "core/error.h"
 #include "core/file.h"
 
 namespace plumb::reports {
 namespace fs = std::filesystem;
 namespace {
-
-/// Renames and removals that must not pass silently.
-template <class Action>
-void must(const fs::path& folder, const Action& action) {
-    std::error_code error;
-    action(error);
-    if (error) throw Error(fmt::format("{}: cannot be replaced: {}", folder.string(), error.message()));
-}
 
 fs::path without_slash(const fs::path& folder) {
     return folder.has_filename() ? folder : folder.parent_path();
@@ -41,22 +31,9 @@ void write_folder(const fs::path& given, const std::vector<FolderFile>& files) {
     std::vector<std::string> extensions;
     for (const FolderFile& file : files) extensions.push_back(fs::path(file.name).extension().string());
     check_replaceable(folder, extensions);
-    const fs::path aside = folder.string() + fmt::format(".{}.part", ::getpid());
-    const fs::path before = folder.string() + fmt::format(".{}.old", ::getpid());
-    std::error_code ignored;
-    try {
-        for (const FolderFile& file : files) write_file(aside / file.name, file.text);
-        const bool replaces = fs::exists(folder);
-        if (replaces) must(folder, [&](std::error_code& error) { fs::rename(folder, before, error); });
-        must(folder, [&](std::error_code& error) {
-            fs::rename(aside, folder, error);
-            if (error && replaces) fs::rename(before, folder, ignored);
-        });
-    } catch (...) {
-        fs::remove_all(aside, ignored);
-        throw;
-    }
-    fs::remove_all(before, ignored);
+    write_folder_aside(folder, [&](const fs::path& here) {
+        for (const FolderFile& file : files) write_file(here / file.name, file.text);
+    });
 }
 
 }  // namespace plumb::reports

@@ -2,15 +2,19 @@
 
 #include <map>
 
-#include "core/error.h"
+#include "core/named.h"
 
 namespace plumb {
 
 namespace {
 
-const std::map<std::string, ComplexIndex>& metals() {
+/// A value by its name.
+template <class Value>
+using Table = std::map<std::string, Value>;
+
+const Table<ComplexIndex>& metals() {
     const auto rgb = Spectrum::rgb;
-    static const std::map<std::string, ComplexIndex> table{
+    static const Table<ComplexIndex> table{
         {"Ag", {rgb(0.1552646489, 0.1167232965, 0.1383806959), rgb(4.8283433224, 3.1222459278, 2.1469504455)}},
         {"Al", {rgb(1.6574599595, 0.8803689579, 0.5212287346), rgb(9.2238691996, 6.2695232477, 4.8370012281)}},
         {"Au", {rgb(0.1431189557, 0.3749570432, 1.4424785571), rgb(3.9831604247, 2.3857207478, 1.6032152899)}},
@@ -24,11 +28,8 @@ const std::map<std::string, ComplexIndex>& metals() {
 }
 
 template <class Value>
-const Value& lookup(const std::map<std::string, Value>& table, const std::string& what, const std::string& name) {
-    if (const auto found = table.find(name); found != table.end()) return found->second;
-    std::vector<std::string> known;
-    for (const auto& [key, value] : table) known.push_back(key);
-    throw unknown_name(what, name, known);
+const Value& lookup(const Table<Value>& table, std::string_view what, const std::string& name) {
+    return find_named(table, name, what, &Table<Value>::value_type::first).second;
 }
 
 }  // namespace
@@ -44,10 +45,10 @@ std::vector<std::string> metal_names() {
 }
 
 double named_index(const std::string& name) {
-    static const std::map<std::string, double> table{{"acetone", 1.36},  {"acrylic glass", 1.49}, {"air", 1.000277},
-                                                     {"benzene", 1.501}, {"bk7", 1.5046},         {"diamond", 2.419},
-                                                     {"ethanol", 1.361}, {"polypropylene", 1.49}, {"pet", 1.575},
-                                                     {"vacuum", 1.0},    {"water", 1.333},        {"water ice", 1.31}};
+    static const Table<double> table{{"acetone", 1.36},  {"acrylic glass", 1.49}, {"air", 1.000277},
+                                     {"benzene", 1.501}, {"bk7", 1.5046},         {"diamond", 2.419},
+                                     {"ethanol", 1.361}, {"polypropylene", 1.49}, {"pet", 1.575},
+                                     {"vacuum", 1.0},    {"water", 1.333},        {"water ice", 1.31}};
     return lookup(table, "medium", name);
 }
 

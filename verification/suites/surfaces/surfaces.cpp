@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "estimators/densities/warps.h"
 #include "scenes/geometry/embree_scene.h"
 #include "verification/claim.h"
 #include "verification/evidence/deterministic.h"
@@ -30,9 +31,7 @@ Shape shape_of(auto geometry) {
 }
 
 Vec3 uniform_direction(RandomStream& random) {
-    const double z = 1 - 2 * random.uniform(), angle = 2 * std::numbers::pi * random.uniform(),
-                 r = std::sqrt(1 - z * z);
-    return {r * std::cos(angle), r * std::sin(angle), z};
+    return sample_uniform_sphere({random.uniform(), random.uniform()});
 }
 
 /// About the normal, down to 1e-4 radians off the surface: beyond that the direction's own rounding decides its side.
