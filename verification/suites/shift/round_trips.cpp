@@ -9,6 +9,7 @@
 //   Σ |g_i| ≤ 2 √(Σ g_i²) ≤ 2 max_s |Σ s_i g_i|.
 // Where the eight do not agree with the unturned path on what there is, an edge is near, and nothing is said.
 
+#include "integrators/paths/vertex.h"
 #include "verification/suites/shift/shift_subjects.h"
 #include "verification/suites/suites.h"
 
@@ -19,6 +20,23 @@ namespace {
 // All of it is infinite where the part is not there.
 using Found = std::array<double, 3>;
 constexpr Found nothing{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+
+// By how much, relative to it, light changes where a traced edge has the direction in which its ray was sent, and a
+// kept one that of the line between its vertices. Moving z does not show it: changes of cosines and of the distance may
+// cancel there. Of a weight w = p²/(p² + q²) it is |d ln w| ≤ 2 |d ln p| + 2 |d ln q|; the density q of a light sample
+// has 1/cos at z, and that of the BSDF, p, is told for a turned direction.
+double change_by_direction(const PathVertex& from, const Connection& edge) {
+    const double turn = edge.end ? ray_miss(from.hit.point, edge.end->hit.point) / edge.distance : ray_turn;
+    const auto light = [&](Vec3 wi) { return std::log(luminance(eval_bsdf(from, wi, Transport::radiance))); };
+    const Frame across(edge.direction);
+    double most = 0;
+    for (const Vec3 step : {across.x, -across.x, across.y, -across.y}) {
+        const Vec3 wi = normalize(edge.direction + step * turn);
+        most = std::max(most, 2 * std::abs(std::log(smooth_pdf(from, wi) / edge.pdf)) +
+                                  std::abs(light(wi) - light(edge.direction)));
+    }
+    return most + 2 * turn * std::sqrt(1 / (edge.cos * edge.cos) - 1);
+}
 
 // A path there and back, part by part from the connection on.
 struct RoundTrip {
@@ -32,6 +50,7 @@ struct RoundTrip {
 
 private:
     [[nodiscard]] std::vector<Found> found_by(PrimarySamples& numbers, const NumbersOfShift& direction);
+    [[nodiscard]] Connection edge_from(const PathRecord& record) const;
     [[nodiscard]] double turn_at_connection() const;
     [[nodiscard]] double turn_beyond() const;
 };
@@ -60,12 +79,24 @@ std::vector<Found> RoundTrip::found_by(PrimarySamples& numbers, const NumbersOfS
     return found;
 }
 
+Connection RoundTrip::edge_from(const PathRecord& record) const {
+    const std::size_t k = base.connection;
+    const PathVertex& from = record.vertices[k - 1];
+    if (base.record.vertices.size() <= k)
+        return connection_to_environment(from, base.story.scatterings[k - 1].direction);
+    return connection_to(pixels.scene, from, base.record.vertices[k].hit);
+}
+
+// The ray from y_k misses z by m_y across itself, and that from x_k missed by m_x, for which z moves on its tangent
+// plane by up to m_x/cos θ_x. Where the ray from y_k moves by r across itself, z moves on the plane by r at least.
 double RoundTrip::turn_at_connection() const {
     const auto& vertices = base.record.vertices;
-    if (vertices.size() <= base.connection) return ray_turn;
-    const SurfacePoint &from = shifted.record.vertices[base.connection - 1].hit.point,
-                       &to = vertices[base.connection].hit.point;
-    return ray_miss(from, to) / length(to.position - from.position);
+    const std::size_t k = base.connection;
+    if (vertices.size() <= k) return 2 * ray_turn;
+    const SurfacePoint &x = vertices[k - 1].hit.point, &y = shifted.record.vertices[k - 1].hit.point,
+                       &z = vertices[k].hit.point;
+    const double cos_x = std::abs(dot(z.normal, normalize(z.position - x.position)));
+    return (ray_miss(y, z) + ray_miss(x, z) / cos_x) / length(z.position - y.position);
 }
 
 // The rays of the base and those of the traced path miss, each of them; a miss further on is taken for one at once.
@@ -98,6 +129,9 @@ void RoundTrip::measure(const std::string& name, PrimarySamples& numbers, HeldCa
                 changes[j][q] = std::max(changes[j][q], same ? 0 : std::abs(others[j][q] - found[j][q]));
             }
     }
+    const std::array<double, 3> by_direction{
+        change_by_direction(shifted.record.vertices[base.connection - 1], edge_from(shifted.record)),
+        change_by_direction(base.record.vertices[base.connection - 1], edge_from(base.record)), 0};
     const std::size_t parts = directions->beyond ? found.size() : 1;
     for (std::size_t j = 0; j < parts; ++j) {
         const std::size_t part = base.connection + j;
@@ -113,7 +147,7 @@ void RoundTrip::measure(const std::string& name, PrimarySamples& numbers, HeldCa
             if (found[j] == nothing)
                 cases.add(what, HUGE_VAL, change > 0 ? change : of_doubles);
             else
-                cases.add(what, std::abs(found[j][q] - kept[q]) / scale, change / scale + of_doubles);
+                cases.add(what, std::abs(found[j][q] - kept[q]) / scale, change / scale + by_direction[q] + of_doubles);
         }
     }
 }
