@@ -119,7 +119,7 @@ TechniqueWeight weight_of_choice(const NextEvent& next_event, const Scene& scene
     densities.values[choice] = next_event.lights[choice].count * pdf;
     ask_choices(next_event, scene, vertex, point, choice, densities);
     // No direction of a BSDF meets a point.
-    if (next_event.bsdf_count > 0 && !std::holds_alternative<PointLight>(scene.lights()[point.light]))
+    if (next_event.bsdf_count > 0 && kind_of(scene.lights()[point.light]) != LightKind::point)
         densities.values[densities.count - 1] =
             next_event.bsdf_count * vertex.bsdf.pdf(vertex.to_local(vertex.wo), vertex.to_local(point.direction));
     return densities.weight(next_event.weight, choice);
