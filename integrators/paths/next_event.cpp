@@ -38,7 +38,7 @@ void ask_choices(const NextEvent& next_event, const Scene& scene, const PathVert
 // n p of the BSDF for a direction in which a light was found. No direction of a BSDF meets a point.
 double density_of_bsdf(const NextEvent& next_event, const Scene& scene, const PathVertex& vertex, std::size_t light,
                        Vec3 direction) {
-    if (next_event.bsdf_count == 0 || std::holds_alternative<PointLight>(scene.lights()[light])) return 0;
+    if (next_event.bsdf_count == 0 || kind_of(scene.lights()[light]) == LightKind::point) return 0;
     return next_event.bsdf_count * vertex.bsdf.pdf(vertex.to_local(vertex.wo), vertex.to_local(direction));
 }
 
