@@ -77,8 +77,12 @@ TEST_F(ReproduceCommand, GoesOnWhereItWasInterrupted) {
 
     Program stopped(folder.path(), interrupted);
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(2);
-    while ((!std::filesystem::exists(folder / "a.db") || newest("a.db").series.empty()) &&
-           std::chrono::steady_clock::now() < give_up)
+    const auto has_one = [&] {
+        const std::filesystem::path store = folder / "a.db";
+        return std::filesystem::exists(store) && std::filesystem::file_size(store) > 0 &&
+               !newest("a.db").series.empty();
+    };
+    while (!has_one() && std::chrono::steady_clock::now() < give_up)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     stopped.send(SIGINT);
     EXPECT_EQ(stopped.wait(), 130);
