@@ -33,7 +33,7 @@ TEST_F(ReproduceCommand, LaysStatementsAgainstMeasurements) {
     EXPECT_THAT(said.out, AllOf(HasSubstr("met"), HasSubstr("run 1 in out/results.db, seed 7"),
                                 HasSubstr("page: out/reproduce/index.html")));
     const Json document = Json::parse(read("out/reproduce/headlines.json"));
-    EXPECT_EQ(document["run"]["seed"], "7");
+    EXPECT_EQ(document["run"]["seed"], 7);
     EXPECT_EQ(document["run"]["size"], "quick");
     const Json& list = document["headlines"];
     ASSERT_THAT(list, SizeIs(3));
@@ -47,7 +47,7 @@ TEST_F(ReproduceCommand, LaysStatementsAgainstMeasurements) {
     EXPECT_THAT(read("out/reproduce/headlines.csv"), HasSubstr("[Veach 1997],theorem 9.2,"));
     EXPECT_THAT(read("out/reproduce/index.html"),
                 AllOf(HasSubstr("<title>Plumb: What papers promise"), HasSubstr("\"id\":\"rates-combinations\""),
-                      HasSubstr("| Veach 1997 | *Robust Monte Carlo Methods"), HasSubstr("\"several\":true")));
+                      HasSubstr("*Robust Monte Carlo Methods"), HasSubstr("\"several\":true")));
     EXPECT_THAT(read("out/reproduce/rates-combinations-exp.svg"), HasSubstr("mis-balance"));
 }
 
@@ -69,7 +69,7 @@ TEST_F(ReproduceCommand, TakesShardsThatMergeJoins) {
 }
 
 TEST_F(ReproduceCommand, GoesOnWhereItWasInterrupted) {
-    const std::vector<std::string> much = {"reproduce", "rates", "densities", "boundary", "--seed", "7"};
+    const std::vector<std::string> much = {"reproduce", "rates", "boundary/strata", "--seed", "7"};
     std::vector<std::string> whole = much, interrupted = much;
     whole.insert(whole.end(), {"--store", "whole.db", "--out", "whole"});
     interrupted.insert(interrupted.end(), {"--store", "a.db", "--out", "a"});
@@ -77,8 +77,12 @@ TEST_F(ReproduceCommand, GoesOnWhereItWasInterrupted) {
 
     Program stopped(folder.path(), interrupted);
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(2);
-    while ((!std::filesystem::exists(folder / "a.db") || newest("a.db").series.empty()) &&
-           std::chrono::steady_clock::now() < give_up)
+    const auto has_one = [&] {
+        const std::filesystem::path store = folder / "a.db";
+        return std::filesystem::exists(store) && std::filesystem::file_size(store) > 0 &&
+               !newest("a.db").series.empty();
+    };
+    while (!has_one() && std::chrono::steady_clock::now() < give_up)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     stopped.send(SIGINT);
     EXPECT_EQ(stopped.wait(), 130);
