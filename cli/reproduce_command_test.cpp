@@ -56,7 +56,7 @@ TEST_F(ReproduceCommand, TakesShardsThatMergeJoins) {
     EXPECT_EQ(plumb(call + "--out whole").exit_code, 0);
     const Said part = plumb(call + "--shard 1/2 --store 1.db --out part");
     EXPECT_THAT(part.out, HasSubstr("of other shards: rates/smooth-1d"));
-    EXPECT_THAT(complaint("merge 1.db --store joined.db"), HasSubstr("missing of the run with seed 7: shard 2/2"));
+    EXPECT_THAT(complaint("merge 1.db --store joined.db"), HasSubstr("the run with seed 7 lacks shard 2/2"));
     EXPECT_EQ(plumb(call + "--shard 2/2 --store 2.db --out ''").exit_code, 0);
     for (int time = 0; time < 2; ++time) {
         const Said joined = plumb("merge 2.db 1.db --store joined.db --out joined");
