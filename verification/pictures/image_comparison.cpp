@@ -213,9 +213,12 @@ ImageComparison compare(const Picture& a, const Picture& b, const ComparisonSett
         add_chi_square(found.channels[c], found.tiles, c, grid.inflations.degrees);
     found.correlation.inflation = inflation_of(grid);
     const double inflation = std::max(1.0, found.correlation.inflation);
-    found.alike = too_alike(a, b, grid.tiles, inflation);
-    found.unlike = too_unlike(a, b, grid.tiles, inflation, [&](std::size_t tile, std::size_t c) {
-        return settings.epsilon * scale_of(grid.at(tile, c), grid.totals[c], settings.tile_floor);
+    // Whatever tiles were asked for: of a few large ones the spread is not well known.
+    const PixelGrid blocks = grid_of(a.width, a.height, tile_edge(a, 0, found.correlation));
+    found.alike = too_alike(a, b, blocks, inflation);
+    found.unlike = too_unlike(a, b, blocks, inflation, [&](const PixelBox& box, std::size_t c) {
+        if (settings.epsilon == 0) return 0.0;
+        return settings.epsilon * scale_of(sums_of(a, b, box, c), grid.totals[c], settings.tile_floor);
     });
     found.errors = errors_of(a, b, inflation);
     found.copies = copies_of(a, b);

@@ -148,7 +148,7 @@ SquaresTest too_alike(const Picture& a, const Picture& b, const PixelGrid& grid,
 }
 
 SquaresTest too_unlike(const Picture& a, const Picture& b, const PixelGrid& grid, double inflation,
-                       const std::function<double(std::size_t tile, std::size_t channel)>& allowed) {
+                       const std::function<double(const PixelBox&, std::size_t channel)>& allowed) {
     constexpr double most = 8;  // of one pixel, which is to speak for itself: three standard deviations
     const std::size_t channels = a.channels.size();
     const TileVariances variances(a, b, grid);
@@ -156,16 +156,17 @@ SquaresTest too_unlike(const Picture& a, const Picture& b, const PixelGrid& grid
     for (int row = 0; row < grid.rows; ++row)
         for (int column = 0; column < grid.columns; ++column) {
             const std::size_t index = grid.index(column, row);
-            std::vector<double> scale(channels);
+            std::vector<double> scale(channels), none(channels);
             for (std::size_t c = 0; c < channels; ++c)
                 if (variances.shows_errors(index, c, a, b)) scale[c] = variances.about(grid, column, row, c);
+            for (std::size_t c = 0; c < channels; ++c) none[c] = allowed(grid.boxes[index], c);
             Moments tile;
             for_pixels(grid.boxes[index], [&](int x, int y) {
                 Moments squares;
                 for (std::size_t c = 0; c < channels; ++c) {
                     const std::size_t k = a.at(x, y, c);
                     const double far = std::abs(a.mean[k] - b.mean[k]) - a.rounding_at(k) - b.rounding_at(k),
-                                 beyond = std::max(0.0, far - allowed(index, c));
+                                 beyond = std::max(0.0, far - none[c]);
                     if (!std::isfinite(far) || !(scale[c] > 0)) continue;
                     const double variance = a.variance[k] + b.variance[k] + a.variance_rounding + b.variance_rounding;
                     squares.add(std::min(most, (beyond * beyond - variance) / scale[c]));

@@ -22,9 +22,9 @@ SquaresTest too_alike(const Picture& a, const Picture& b, const PixelGrid& grid,
 
 /// Are they larger? (d² − v)/V, with V the mean variance of the 5x5 tiles about, has expectation 0 for estimates of the
 /// same picture, whatever the law of their errors, and less once it is cut at 8: blurred edges, pictures moved aside
-/// and wrong textures show here though the means of tiles are right. `allowed(tile, channel)`: an absolute difference
+/// and wrong textures show here though the means of tiles are right. `allowed(box, channel)`: an absolute difference
 /// that is none. The ratio is 1 more than the mean.
 SquaresTest too_unlike(const Picture& a, const Picture& b, const PixelGrid& grid, double inflation,
-                       const std::function<double(std::size_t tile, std::size_t channel)>& allowed);
+                       const std::function<double(const PixelBox&, std::size_t channel)>& allowed);
 
 }  // namespace plumb
