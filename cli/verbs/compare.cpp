@@ -119,6 +119,8 @@ Action add(CLI::App& verb) {
     add_share(verb, "--delta", options->settings.delta, "how far the picture's mean may be off, as a share of b's");
     add_share(verb, "--tile-delta", options->settings.tile_delta,
               "how far a tile's mean may be off, as a share of b's");
+    add_share(verb, "--epsilon", options->settings.epsilon,
+              "a deviation that is allowed and refutes nothing, as a share of b's mean and of its tiles' and pixels'");
     verb.add_option("--tile", options->settings.tile, "the edge of a tile in pixels; about 256 tiles when not given")
         ->check(CLI::Range(2, 1 << 16));
     verb.add_option("--alpha", options->settings.alpha, "the risk of refuting two true estimates")

@@ -48,6 +48,10 @@ Json to(const ChannelTest& channel) {
             {"lower_p", number(channel.lower_p)}};
 }
 
+Json to(const SquaresTest& test) {
+    return {{"ratio", number(test.ratio)}, {"p_value", number(test.p_value)}};
+}
+
 Json to(const ErrorMeasure& error) {
     Json json = {{"name", error.name}, {"value", number(error.value)}};
     json.update(interval(error.interval));
@@ -82,9 +86,12 @@ Json document(const ComparisonReport& report) {
               {"delta", s.delta},
               {"tile_delta", s.tile_delta},
               {"tile_floor", s.tile_floor},
+              {"epsilon", s.epsilon},
               {"tile", found.tile}}},
             {"channels", list(found.channels)},
-            {"alike", {{"ratio", number(found.alike.ratio)}, {"p_value", number(found.alike.p_value)}}},
+            {"alike", to(found.alike)},
+            {"unlike", to(found.unlike)},
+            {"copies", found.copies},
             {"correlation",
              {{"reach", found.correlation.reach},
               {"inflation", number(found.correlation.inflation)},

@@ -9,18 +9,20 @@
 #include "verification/pictures/image_errors.h"
 #include "verification/pictures/mean_difference.h"
 #include "verification/pictures/picture.h"
+#include "verification/pictures/pixel_squares.h"
 #include "verification/verdict.h"
 
 namespace plumb {
 
 /// The risks and tolerances with which two pictures are compared. Derivations: docs/compare.md.
 struct ComparisonSettings {
-    double alpha = 1e-4;      ///< of refuting two true estimates: ½ tiles, ⅙ each chi-square, means, too alike
+    double alpha = 1e-4;      ///< of refuting two true estimates: ½ tiles, ⅛ each chi-square, means, too (un)alike
     double beta = 0.01;       ///< of `holds` when the mean or a tile is off by its delta or more
     double delta = 0.01;      ///< of the picture's mean, relative to b's
     double tile_delta = 0.1;  ///< of a tile's mean, relative to b's there or tile_floor times the picture's, if larger
     double tile_floor = 0.25;
-    int tile = 0;  ///< edge in pixels; 0: about 256 tiles, and at least four times the reach of correlations
+    double epsilon = 0;  ///< a deviation that is allowed and refutes nothing, relative as the deltas are
+    int tile = 0;        ///< edge in pixels; 0: about 256 tiles, and at least four times the reach of correlations
 };
 
 /// The state of a tile: whether both pictures agree there, or why that is not known.
@@ -43,13 +45,7 @@ struct ChannelTest {
     TileState state = TileState::no_pixels;
     double chi_square = 0;  ///< of the tiles' normal scores
     std::uint64_t degrees = 0;
-    double upper_p = 1, lower_p = 1;
-};
-
-/// The test whether differences are of the size that their variances say, or smaller.
-struct AlikenessTest {
-    double ratio = 1;  ///< the mean over pixels of squared t, bounded: 1 or more for independent pictures
-    double p_value = 1;
+    double upper_p = 1, lower_p = 1;  ///< the lower one for reading: it refutes nothing
 };
 
 /// The comparison of two pictures: its verdict, and everything that led to it.
@@ -60,8 +56,9 @@ struct ImageComparison {
     std::vector<std::size_t> differing = {};  ///< indices of tiles that are refuted, worst first
     std::vector<std::size_t> undecided = {};  ///< of tiles that are not decided, worst first
     std::vector<ChannelTest> channels = {};
-    AlikenessTest alike = {};
+    SquaresTest alike = {}, unlike = {};
     Correlation correlation = {};
+    std::string copies = {};  ///< how one is a copy of the other, in words; empty: it is none
     std::vector<ErrorMeasure> errors = {};
     std::uint64_t bad_a = 0, bad_b = 0;  ///< pixels that are not finite: they count nowhere
 };

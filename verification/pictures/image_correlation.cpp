@@ -16,6 +16,11 @@ double clipped(double error, double variance) {
     return variance > 0 ? std::clamp(error / std::sqrt(variance), -3.0, 3.0) : 0;
 }
 
+bool of_residuals(const Picture& a, const Picture& b) {
+    const auto has_spread = [](const Picture& p) { return !p.residuals.empty() || std::isinf(p.degrees); };
+    return has_spread(a) && has_spread(b) && !(a.residuals.empty() && b.residuals.empty());
+}
+
 // The channels' mean, after clipping.
 template <class Of>
 Errors errors(const Picture& a, Of of_channel) {
@@ -87,6 +92,14 @@ void flatten(Errors& field, int width, int height) {
     });
 }
 
+Errors differences(const Picture& a, const Picture& b) {
+    Errors field =
+        errors(a, [&](std::size_t k) { return clipped(a.mean[k] - b.mean[k], a.variance[k] + b.variance[k]); });
+    drop_outliers(field, a.width, a.height);
+    flatten(field, a.width, a.height);
+    return field;
+}
+
 std::vector<Errors> fields_of(const Picture& a, const Picture& b) {
     std::vector<Errors> fields;
     for (const Picture* picture : {&a, &b})
@@ -94,20 +107,27 @@ std::vector<Errors> fields_of(const Picture& a, const Picture& b) {
             fields.push_back(errors(*picture, [&](std::size_t k) {
                 return clipped(residual[k], picture->variance[k] * static_cast<double>(picture->renders));
             }));
-    if (!a.residuals.empty() && !b.residuals.empty()) return fields;
-    fields = {errors(a, [&](std::size_t k) { return clipped(a.mean[k] - b.mean[k], a.variance[k] + b.variance[k]); })};
-    drop_outliers(fields[0], a.width, a.height);
-    flatten(fields[0], a.width, a.height);
-    return fields;
+    if (of_residuals(a, b)) return fields;
+    return {differences(a, b)};
 }
 
-double products(const std::vector<Errors>& fields, int width, int height, int dx, int dy) {
+/// Distances of pairs of pixels that are `ring` columns or rows apart, the larger of both; each pair once.
+template <class Visit>
+void for_lags(int ring, Visit visit) {
+    for (int dy = 0; dy <= ring; ++dy)
+        for (int dx = -ring; dx <= ring; ++dx)
+            if (std::max(std::abs(dx), dy) == ring && (dy > 0 || dx > 0)) visit(dx, dy);
+}
+
+/// Of errors in a box with those so far from them.
+double products(const Errors& field, const PixelBox& box, int width, int height, int dx, int dy) {
     double found = 0;
-    for (const Errors& field : fields)
-        for (int y = std::max(0, -dy); y < height - std::max(0, dy); ++y)
-            for (int x = std::max(0, -dx); x < width - std::max(0, dx); ++x)
-                found += static_cast<double>(field[static_cast<std::size_t>(y * width + x)]) *
-                         field[static_cast<std::size_t>((y + dy) * width + x + dx)];
+    const int end_x = std::min(box.x + box.width, width - std::max(0, dx)),
+              end_y = std::min(box.y + box.height, height - dy);
+    for (int y = box.y; y < end_y; ++y)
+        for (int x = std::max(box.x, -dx); x < end_x; ++x)
+            found += static_cast<double>(field[static_cast<std::size_t>(y * width + x)]) *
+                     field[static_cast<std::size_t>((y + dy) * width + x + dx)];
     return found;
 }
 
@@ -151,38 +171,84 @@ Correlation rings(const std::vector<Errors>& fields, const Picture& a, int farth
             squares += static_cast<double>(e) * e;
             lively += e != 0;
         }
-    Correlation found;
+    Correlation found{.bias = bias};
     if (lively < 2 * fields.size()) return found;
     const double independent = static_cast<double>(lively) / static_cast<double>(fields.size());
+    double all_lags = 0;
     for (int ring = 1; ring <= farthest && ring < std::min(a.width, a.height); ++ring) {
         double sum = 0, lags = 0;
-        for (int dy = 0; dy <= ring; ++dy)
-            for (int dx = -ring; dx <= ring; ++dx) {
-                if (std::max(std::abs(dx), dy) != ring || (dy == 0 && dx < 0)) continue;  // each pair once
-                sum += (products(fields, a.width, a.height, dx, dy) / squares - bias) / (1 - bias);
-                ++lags;
-            }
+        for_lags(ring, [&](int dx, int dy) {
+            double found_here = 0;
+            for (const Errors& field : fields)
+                found_here += products(field, {0, 0, a.width, a.height}, a.width, a.height, dx, dy);
+            sum += (found_here / squares - bias) / (1 - bias);
+            ++lags;
+        });
         // Sums of products over one lag have variance (Σe²)²/n where errors are independent.
         const double error = std::sqrt(lags / independent);
         if (ring == 1) found.resolution = 6 * error;
         if (sum < 3 * error) break;
         found.reach = ring;
         found.inflation += 2 * sum;
+        all_lags += lags;
     }
+    if (all_lags > 0) found.degrees = found.inflation * independent / (2 * all_lags);
     return found;
 }
+
+/// Sums over tiles, of what correlations are made of.
+struct ProductSums {
+    double products = 0, squares = 0, lively = 0;
+    void add(const ProductSums& other, double sign) {
+        products += sign * other.products;
+        squares += sign * other.squares;
+        lively += sign * other.lively;
+    }
+};
 
 }  // namespace
 
 Correlation correlation_of(const Picture& a, const Picture& b, int farthest) {
     const std::vector<Errors> fields = fields_of(a, b);
     const Correlation found = rings(fields, a, farthest, 0);
-    const bool of_residuals = !a.residuals.empty() && !b.residuals.empty();
-    if (of_residuals || found.reach == 0) return found;
+    if (of_residuals(a, b) || found.reach == 0) return found;
     const Excess excess = excess_of(a, b);
     if (excess.value < 3 * excess.error * std::sqrt(found.inflation)) return found;
     // By Cauchy and Schwarz a bias adds to no product more than to the squares.
     return rings(fields, a, farthest, excess.value / (1 + excess.value));
+}
+
+std::vector<LocalCorrelation> correlations_about(const Picture& a, const Picture& b, const PixelGrid& grid,
+                                                 const Correlation& picture) {
+    const Errors field = differences(a, b);
+    std::vector<ProductSums> own(grid.boxes.size());
+    double lags = 0;
+    for (int ring = 1; ring <= std::max(1, picture.reach); ++ring) for_lags(ring, [&](int, int) { ++lags; });
+    for (std::size_t tile = 0; tile < own.size(); ++tile) {
+        for (int ring = 1; ring <= std::max(1, picture.reach); ++ring)
+            for_lags(ring, [&](int dx, int dy) {
+                own[tile].products += products(field, grid.boxes[tile], a.width, a.height, dx, dy);
+            });
+        for_pixels(grid.boxes[tile], [&](int x, int y) {
+            const double e = field[static_cast<std::size_t>(y * a.width + x)];
+            own[tile].squares += e * e;
+            own[tile].lively += e != 0;
+        });
+    }
+    std::vector<LocalCorrelation> found;
+    for (int row = 0; row < grid.rows; ++row)
+        for (int column = 0; column < grid.columns; ++column) {
+            ProductSums sums;
+            for_tiles_about(grid, column, row, 2, [&](std::size_t tile) { sums.add(own[tile], 1); });
+            sums.add(own[grid.index(column, row)], -1);
+            LocalCorrelation& local = found.emplace_back();
+            if (!(sums.squares > 0) || sums.lively < 2 * lags) continue;
+            local.inflation = 1 + 2 * (sums.products / sums.squares - lags * picture.bias) / (1 - picture.bias);
+            local.excess = (local.inflation - picture.inflation) /
+                           (2 * std::sqrt(lags * std::max(1.0, picture.inflation) / sums.lively));
+            local.degrees = std::max(1.0, local.inflation) * sums.lively / (2 * lags);
+        }
+    return found;
 }
 
 }  // namespace plumb

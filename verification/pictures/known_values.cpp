@@ -38,10 +38,11 @@ DifferenceSums sums_under(const Picture& picture, const std::vector<Covered>& co
     for (const auto& [x, y, share] : covered) {
         const std::size_t k = picture.at(x, y, channel);
         if (!std::isfinite(picture.mean[k])) return {};
-        const double variance = share * share * picture.variance[k];
+        const double variance = share * share * (picture.variance[k] + picture.variance_rounding);
         sums.a += share * picture.mean[k];
         sums.variance_a += variance;
-        sums.square += std::isinf(picture.degrees) ? 0 : variance * variance / (picture.degrees + 2);
+        sums.rounding += share * picture.rounding_at(k);
+        sums.square_a += std::isinf(picture.degrees) ? 0 : variance * variance / (picture.degrees + 2);
     }
     return sums;
 }
@@ -192,7 +193,6 @@ ValuesCheck check(const Picture& picture, std::span<const KnownValue> known, con
             if (sums.pixels > 0) {
                 value.found = difference_of(sums, sums_around(picture, centre, c),
                                             {.degrees_a = picture.degrees,
-                                             .rounding = picture.rounding,
                                              .epsilon = delta + known[i].error,
                                              .beta = settings.beta,
                                              .delta = std::max(0.0, delta - known[i].error)});

@@ -5,6 +5,8 @@
 
 #include "core/interval.h"
 #include "verification/pictures/picture.h"
+#include "verification/pictures/pixel_grid.h"
+#include "verification/pictures/sum_inflation.h"
 
 namespace plumb {
 
@@ -20,19 +22,16 @@ struct MeanDifference {
     Interval interval{};  ///< of the difference; each end is wrong with probability beta
 };
 
-/// A rectangle of pixels.
-struct PixelBox {
-    int x = 0, y = 0, width = 0, height = 0;
-};
-
 /// Sums over pixels that are finite in both pictures, in one channel.
 struct DifferenceSums {
     std::uint64_t pixels = 0;
     double a = 0, b = 0;  ///< of values
+    double rounding = 0;  ///< of what rounding may have moved them by
     double variance_a = 0, variance_b = 0;
-    double square = 0;                ///< of variance² / (degrees + 2), both sides: unbiased for 1/degrees of σ⁴
-    double third_a = 0, third_b = 0;  ///< of third cumulants
-    double third_error = 0;           ///< variance of those
+    double shown_a = 0, shown_b = 0;              ///< the same, without what rounding may have hidden
+    double square_a = 0, square_b = 0;            ///< of variance² / (degrees + 2): unbiased for 1/degrees of σ⁴
+    double third_a = 0, third_b = 0;              ///< of third cumulants
+    double third_error_a = 0, third_error_b = 0;  ///< variances of those
 
     void merge(const DifferenceSums& other);
 };
@@ -46,8 +45,7 @@ DifferenceSums sums_of(const Picture& a, const Picture& b, const PixelBox& box, 
 /// The rules by which a difference is judged.
 struct DifferenceRules {
     double degrees_a = 0, degrees_b = 0;  ///< of one pixel's variances
-    double inflation = 1;                 ///< of the variance, by correlated neighbours
-    double rounding = 0;                  ///< relative: differences that are none
+    Inflation inflation = {};             ///< of the variances, by correlated neighbours
     double epsilon = 0;                   ///< absolute: a difference that is allowed, and refutes nothing
     double beta = 0.01;
     double delta = 0;  ///< absolute
@@ -67,6 +65,9 @@ MeanDifference difference_of(const DifferenceSums& sums, const DifferenceSums& a
 
 /// Whether skewness allows intervals of this one-sided risk: skewness·z³/3 ≤ 1.
 bool interval_is_trusted(const MeanDifference& found, double beta);
+
+/// The normal score with the tail that Student's t has beyond t.
+double normal_score_of_student(double t, double degrees_of_freedom);
 
 /// A two-sided p-value at the normal score z for a sum of this skewness, as if its error came in n = 1/skewness² equal
 /// spikes of Poisson's law, whose missing ones lessen the estimated variance too: Φ's tail times exp(z²/2 − rate), with

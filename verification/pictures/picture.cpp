@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "core/error.h"
 
@@ -59,15 +60,30 @@ double replicates_of(const Image& image, const std::string& name) {
     return static_cast<double>(count);
 }
 
+bool is_half(float x) {
+    if (!std::isfinite(x)) return true;
+    int exponent = 0;
+    const float digits = std::ldexp(std::frexp(x, &exponent), 11);
+    return digits == std::round(digits) && std::ldexp(x, 24) == std::round(std::ldexp(x, 24));
+}
+
+// Numbers that all are halves, and so many that they would hardly be if they had not been rounded to halves.
+bool were_rounded_to_halves(const Image& image) {
+    constexpr std::size_t enough = 16;
+    std::set<float> distinct;
+    for (const float value : image.values) {
+        if (!is_half(value)) return false;
+        if (distinct.size() < enough && value != 0 && std::isfinite(value)) distinct.insert(value);
+    }
+    return distinct.size() == enough;
+}
+
 // Half of a unit in the last place: of half floats where every number is one, else of floats.
-double rounding_of(const Image& image) {
-    constexpr double half = 0x1p-11, single = 0x1p-24;
-    const auto is_half = [](float x) {
-        int exponent = 0;
-        return std::ldexp(std::frexp(x, &exponent), 11) == std::round(std::ldexp(std::frexp(x, &exponent), 11)) ||
-               !std::isfinite(x);
-    };
-    return std::ranges::all_of(image.values, is_half) ? half : single;
+void set_rounding(Picture& picture, const Image& image) {
+    constexpr double half = 0x1p-11, single = 0x1p-24, least_half = 0x1p-25;
+    picture.rounding = std::max(picture.rounding, std::ranges::all_of(image.values, is_half) ? half : single);
+    if (!were_rounded_to_halves(image)) return;
+    picture.least_rounding = picture.variance_rounding = least_half;
 }
 
 void average(Picture& picture, std::span<const Image> renders, const std::vector<std::vector<std::size_t>>& sources) {
@@ -148,13 +164,14 @@ Picture picture_of(std::span<const Image> renders, std::span<const std::string> 
                             names[i]));
         sources.push_back(indices(renders[i], names[i], picture.channels));
         layers = layers && variances_among(renders[i], picture.channels) == picture.channels.size();
-        picture.rounding = std::max(picture.rounding, rounding_of(renders[i]));
+        set_rounding(picture, renders[i]);
     }
     picture.mean.assign(
         static_cast<std::size_t>(first.width) * static_cast<std::size_t>(first.height) * picture.channels.size(), 0);
     picture.variance.assign(picture.mean.size(), 0);
     average(picture, renders, sources);
     if (renders.size() > 1 && !exact) find_residuals(picture, renders, sources);
+    if (exact || !layers) picture.variance_rounding = 0;
     if (exact)
         picture.degrees = std::numeric_limits<double>::infinity();
     else if (layers)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,7 +17,9 @@ struct Picture {
     std::vector<double> mean = {};      ///< NaN where a value or its variance is not a finite number
     std::vector<double> variance = {};  ///< of the mean
     double degrees = 0;                 ///< of freedom of each variance; infinite for variances known exactly
-    double rounding = 0;                ///< relative error of a stored number, by its format
+    double rounding = 0;                ///< relative error of a stored number, by its format,
+    double least_rounding = 0;          ///< and at least this, absolute
+    double variance_rounding = 0;       ///< absolute error of a stored variance
     std::uint64_t renders = 1;          ///< independent images that the mean is of
     std::uint64_t bad_pixels = 0;       ///< that have a NaN
     /// The deviations of each render from their mean, where there are two or more renders.
@@ -25,6 +29,10 @@ struct Picture {
         return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
                    channels.size() +
                channel;
+    }
+    /// How far the k-th stored number may lie from the one that was rounded to it.
+    [[nodiscard]] double rounding_at(std::size_t k) const {
+        return std::fmax(rounding * std::abs(mean[k]), least_rounding);
     }
 };
 

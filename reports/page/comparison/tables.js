@@ -52,7 +52,7 @@ function channelSection() {
       ]),
       [2, 3, 4, 5, 6, 7, 8, 9],
     ),
-    h("p", { class: "note" }, `The squared t of a pixel, bounded, is ${readable(found.alike.ratio, 4)} in the mean, where independent errors have 1 or more (p of so small a value: ${readable(found.alike.p_value)}).`),
+    h("p", { class: "note" }, `The squared t of a pixel, bounded, is ${readable(found.alike.ratio, 4)} in the mean, where independent errors have 1 or more (p of so small a value: ${readable(found.alike.p_value)}). Squared differences are ${readable(found.unlike.ratio, 4)} of what the variances say (p of so large a value: ${readable(found.unlike.p_value)}).`),
   );
 }
 

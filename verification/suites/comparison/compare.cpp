@@ -1,5 +1,7 @@
 // `plumb compare` on trial: honest renders, spoiled renders, and what it must leave undecided, without a renderer.
 
+#include <fmt/format.h>
+
 #include "core/srgb.h"
 #include "verification/claim.h"
 #include "verification/evidence/deterministic.h"

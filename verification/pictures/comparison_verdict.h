@@ -1,0 +1,18 @@
+#pragma once
+
+#include "verification/pictures/image_comparison.h"
+
+namespace plumb {
+
+/// Shares of alpha.
+namespace parts_of_alpha {
+constexpr double tiles = 1.0 / 2, chi_square = 1.0 / 8, means = 1.0 / 8, alike = 1.0 / 8, unlike = 1.0 / 8;
+}
+
+/// Whether a tile's mean says anything.
+bool may_differ(const TileTest& tile);
+
+/// Of a comparison whose tests are done.
+Verdict verdict_of(const ImageComparison& found, const ComparisonSettings& settings);
+
+}  // namespace plumb
