@@ -23,8 +23,8 @@ std::filesystem::path reference_file(const std::filesystem::path& cache, const P
 /// version of Plumb made.
 std::optional<Reference> find_reference(const std::filesystem::path& cache, const Provenance& wanted);
 
-/// Of a scene, that of paths of these lengths (empty: of any) by the first of reference_integrators() that has one.
-/// Throws Error saying how to make one.
+/// The reference of a scene for paths of these lengths (empty: of any), by the first of reference_integrators() that
+/// has one. Throws Error saying how to make one.
 Reference require_reference(const std::filesystem::path& cache, const LoadedScene& scene,
                             std::optional<int> longest_path);
 

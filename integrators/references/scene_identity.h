@@ -5,7 +5,7 @@
 
 namespace plumb {
 
-/// What a picture of the scene says of it, and this program's version; the rest is for the caller to say.
+/// The name and hash of a scene, with this program's version; the caller says the rest.
 Provenance identity_of(const LoadedScene& scene);
 
 }  // namespace plumb
