@@ -21,7 +21,7 @@ struct SceneLightSample {
 
 /// A ray that a light of the scene sends.
 struct SceneLightRay {
-    EmittedRay ray;  ///< its weight is divided by the light's chance
+    EmittedRay ray;  ///< its weight is divided by the light's chance, and times the opacity of a masked light there
     std::size_t light;
     double chance;
 };
@@ -51,8 +51,11 @@ public:
     /// The radiance that the environment sends along a ray that met nothing.
     [[nodiscard]] Spectrum environment(const Ray& ray) const;
 
-    /// Chooses a light by its power, then a direction towards it; empty where it does not shine, or there is no light.
+    /// Chooses a light, then a direction towards it; empty where it does not shine, or there is no light.
     [[nodiscard]] std::optional<SceneLightSample> sample_light(Vec3 from, double u, const Point<2>& v) const;
+    /// A direction towards this light, as sample_light draws it: a point of a masked light sends its radiance times its
+    /// opacity, for that is what a ray which meets it finds on average.
+    [[nodiscard]] std::optional<LightSample> sample_of_light(std::size_t light, Vec3 from, const Point<2>& v) const;
     /// The density, per steradian, with which sample_light(from) would have found the light that a ray met.
     [[nodiscard]] double light_pdf(const Hit& hit, Vec3 from, Vec3 direction) const;
     /// The same density for this light, which has a surface, at a point where it shines to the side of `normal`.
@@ -60,7 +63,7 @@ public:
     /// The same density for the environment; 0 without one.
     [[nodiscard]] double environment_pdf(Vec3 from, Vec3 direction) const;
 
-    /// Chooses a light by its power and a ray that it sends; empty without lights.
+    /// Chooses a light and a ray that it sends; empty without lights.
     [[nodiscard]] std::optional<SceneLightRay> sample_light_ray(double u, const Point<2>& origin,
                                                                 const Point<2>& direction) const;
     /// The densities of such a ray of this light along `direction`, from where it shines to the side of `normal` (an
@@ -77,6 +80,9 @@ public:
     [[nodiscard]] const std::vector<Light>& lights() const { return lights_; }
 
 private:
+    /// The opacity of the light where it chose a point for u; 1 where it is no surface.
+    [[nodiscard]] double opacity_of_light(std::size_t light, const Point<2>& u,
+                                          const std::optional<SurfacePoint>& at) const;
     [[nodiscard]] const description::Shape& shape(const Hit& hit) const { return description_.shapes[hit.shape]; }
 
     description::Scene description_;
@@ -89,6 +95,7 @@ private:
     std::optional<std::size_t> environment_;
     std::optional<LightChooser> chooser_;  // empty without lights
     bool has_masks_ = false;
+    std::vector<std::size_t> shape_of_light_;  // of lights with a surface, which come first
 };
 
 }  // namespace plumb
