@@ -13,7 +13,7 @@ std::vector<Spectrum> powers_of(const std::vector<Light>& lights, double scene_r
 
 }  // namespace
 
-Scene::Scene(description::Scene description)
+Scene::Scene(description::Scene description, MakeChooser choose)
     : description_(std::move(description)),
       ball_(ball_around(description_.shapes)),
       embree_(description_.shapes),
@@ -36,7 +36,7 @@ Scene::Scene(description::Scene description)
         environment_ = lights_.size() - 1;
     }
     for (const auto& index : of_shape) light_of_shape_.push_back(index.value_or(lights_.size()));
-    if (!lights_.empty()) chooser_ = LightChooser::by_power(powers_of(lights_, ball_.radius));
+    if (!lights_.empty()) chooser_ = choose(powers_of(lights_, ball_.radius));
 }
 
 std::optional<Hit> Scene::intersect(const Ray& ray, double u, RayLog& log) const {
@@ -136,6 +136,19 @@ double Scene::environment_pdf(Vec3 from, Vec3 direction) const {
     if (!environment_) return 0;
     return chooser_->pmf(*environment_) *
            std::visit([&](const auto& light) { return light.hit(from, direction)->pdf; }, lights_[*environment_]);
+}
+
+double Scene::least_light_chance() const {
+    double least = 1;
+    for (std::size_t i = 0; i < lights_.size(); ++i)
+        if (const double chance = chooser_->pmf(i); chance > 0) least = std::min(least, chance);
+    return least;
+}
+
+double Scene::scale_of_light() const {
+    double power = 0;
+    for (const Spectrum& of_light : powers_of(lights_, ball_.radius)) power += luminance(of_light);
+    return power / luminance(ConstantEnvironment{Spectrum::grey(1)}.power(ball_.radius));
 }
 
 std::optional<SceneLightRay> Scene::sample_light_ray(double u, const Point<2>& origin,

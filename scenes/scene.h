@@ -29,9 +29,12 @@ struct SceneLightRay {
 /// A description made ready for light transport. Immutable: threads share it.
 class Scene {
 public:
+    /// The choice of lights of given powers.
+    using MakeChooser = LightChooser (*)(const std::vector<Spectrum>& powers);
+
     /// Prepares the description: reads textures and environment maps, builds Embree's tree. Throws Error naming file
     /// and line.
-    explicit Scene(description::Scene description);
+    explicit Scene(description::Scene description, MakeChooser choose = LightChooser::half_by_power);
 
     [[nodiscard]] const SceneSensor& sensor() const { return sensor_; }
 
@@ -78,6 +81,11 @@ public:
     [[nodiscard]] const description::Scene& description() const { return description_; }
     [[nodiscard]] const EmbreeScene& embree() const { return embree_; }
     [[nodiscard]] const std::vector<Light>& lights() const { return lights_; }
+    /// The least probability with which a light that shines is chosen; 1 without lights.
+    [[nodiscard]] double least_light_chance() const;
+    /// A radiance of the scene's scale: of a sky of the same power as all lights together. It is proportional to what
+    /// lights emit.
+    [[nodiscard]] double scale_of_light() const;
 
 private:
     /// The opacity of the light where it chose a point for u; 1 where it is no surface.
