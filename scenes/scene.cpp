@@ -13,7 +13,7 @@ std::vector<Spectrum> powers_of(const std::vector<Light>& lights, double scene_r
 
 }  // namespace
 
-Scene::Scene(description::Scene description)
+Scene::Scene(description::Scene description, MakeChooser choose)
     : description_(std::move(description)),
       ball_(ball_around(description_.shapes)),
       embree_(description_.shapes),
@@ -22,10 +22,12 @@ Scene::Scene(description::Scene description)
     std::vector<std::optional<std::size_t>> of_shape(description_.shapes.size());
     for (std::size_t i = 0; i < of_shape.size(); ++i) {
         const description::Shape& shape = description_.shapes[i];
-        has_masks_ = has_masks_ || materials_.is_mask(shape.material);
+        const bool masked = materials_.is_mask(shape.material);
+        has_masks_ = has_masks_ || masked;
         if (!shape.emitter) continue;
         of_shape[i] = lights_.size();
-        lights_.push_back(area_light(shape));
+        lights_.push_back(area_light(shape, masked));
+        shape_of_light_.push_back(i);
     }
     for (const description::Emitter& emitter : description_.emitters) {
         lights_.push_back(shapeless_light(emitter));
@@ -34,7 +36,7 @@ Scene::Scene(description::Scene description)
         environment_ = lights_.size() - 1;
     }
     for (const auto& index : of_shape) light_of_shape_.push_back(index.value_or(lights_.size()));
-    if (!lights_.empty()) chooser_ = LightChooser::by_power(powers_of(lights_, ball_.radius));
+    if (!lights_.empty()) chooser_ = choose(powers_of(lights_, ball_.radius));
 }
 
 std::optional<Hit> Scene::intersect(const Ray& ray, double u, RayLog& log) const {
@@ -98,9 +100,22 @@ Spectrum Scene::environment(const Ray& ray) const {
 std::optional<SceneLightSample> Scene::sample_light(Vec3 from, double u, const Point<2>& v) const {
     if (!chooser_) return {};
     const auto [index, pmf] = chooser_->sample(u);
-    const auto sample = std::visit([&](const auto& light) { return light.sample(from, v); }, lights_[index]);
+    const auto sample = sample_of_light(index, from, v);
     if (!sample) return {};
     return SceneLightSample{*sample, pmf * sample->pdf, index};
+}
+
+std::optional<LightSample> Scene::sample_of_light(std::size_t light, Vec3 from, const Point<2>& v) const {
+    auto sample = std::visit([&](const auto& one) { return one.sample(from, v); }, lights_[light]);
+    if (has_masks_ && sample) sample->radiance = sample->radiance * opacity_of_light(light, v, sample->surface);
+    return sample;
+}
+
+double Scene::opacity_of_light(std::size_t light, const Point<2>& u, const std::optional<SurfacePoint>& at) const {
+    if (!at) return 1;
+    const description::Shape& shape = description_.shapes[shape_of_light_[light]];
+    if (!materials_.is_mask(shape.material)) return 1;
+    return materials_.opacity(shape.material, uv_on_light(shape, lights_[light], u, at->position));
 }
 
 double Scene::light_pdf(const Hit& hit, Vec3 from, Vec3 direction) const {
@@ -123,6 +138,19 @@ double Scene::environment_pdf(Vec3 from, Vec3 direction) const {
            std::visit([&](const auto& light) { return light.hit(from, direction)->pdf; }, lights_[*environment_]);
 }
 
+double Scene::least_light_chance() const {
+    double least = 1;
+    for (std::size_t i = 0; i < lights_.size(); ++i)
+        if (const double chance = chooser_->pmf(i); chance > 0) least = std::min(least, chance);
+    return least;
+}
+
+double Scene::scale_of_light() const {
+    double power = 0;
+    for (const Spectrum& of_light : powers_of(lights_, ball_.radius)) power += luminance(of_light);
+    return power / luminance(ConstantEnvironment{Spectrum::grey(1)}.power(ball_.radius));
+}
+
 std::optional<SceneLightRay> Scene::sample_light_ray(double u, const Point<2>& origin,
                                                      const Point<2>& direction) const {
     if (!chooser_) return {};
@@ -130,6 +158,7 @@ std::optional<SceneLightRay> Scene::sample_light_ray(double u, const Point<2>& o
     EmittedRay ray =
         std::visit([&](const auto& light) { return light.sample_ray(ball_, origin, direction); }, lights_[index]);
     ray.weight = ray.weight / chance;
+    if (has_masks_) ray.weight = ray.weight * opacity_of_light(index, origin, ray.surface);
     return SceneLightRay{ray, index, chance};
 }
 

@@ -46,6 +46,23 @@ std::string text_of(const ErrorTarget& target) {
     return target.relative ? fmt::format("{:.3g} %", 100 * target.error) : fmt::format("RMSE {:.3g}", target.error);
 }
 
+std::string outcome_of(const FilmError& error, const ErrorTarget& target) {
+    const std::string text = text_of(target);
+    return meets(error, target) ? fmt::format("undecided whether the error {} was reached", text)
+                                : fmt::format("the error {} was not reached", text);
+}
+
+// Why a target was not met: by what the picture's error rests on, or by the error itself.
+std::string reason_of(const ErrorGrounds& grounds) {
+    if (grounds.light_may_be_missing())
+        return fmt::format("a light that is expected to be sampled {:.2g} times may be missing",
+                           grounds.choices_of_rarest_light);
+    if (grounds.few_carry_much())
+        return fmt::format("few paths carry much: the variance is known to {:.0f} % only",
+                           100 * grounds.variance_error);
+    return "too few samples";
+}
+
 // Says how far the render is; ends it when its time is over.
 class Watch {
 public:
@@ -92,7 +109,7 @@ RenderedUntil rendered(const RenderJob& job, const RenderEnd& end, Watch& watch)
                              [&](const RenderProgress& progress) { watch.double_passes(progress); }});
     Rendered all = render(job, std::ref(watch));
     const FilmError error = error_of(all.film);
-    return {std::move(all), error, true};
+    return {std::move(all), error, {}, true};
 }
 
 std::vector<Field> side_record(const Rendered& rendered, const reports::RunInfo& info) {
@@ -126,7 +143,7 @@ int render_picture(const PictureTask& task, Session& session) {
     Watch watch(task.end, session);
     session.work([&] { done = rendered(job_of(task.method, scene, *estimator, task.settings), task.end, watch); });
 
-    const auto& [picture, error, met] = *done;
+    const auto& [picture, error, grounds, met] = *done;
     const reports::RunInfo& info = session.run;
     write_rendered(task, picture);
     write_side_record(task.out, side_record(picture, info));
@@ -135,8 +152,8 @@ int render_picture(const PictureTask& task, Session& session) {
     fmt::print("{} samples a pixel, {:.3g} rays, {:.1f} s, seed {}, {}; {}\n", samples,
                static_cast<double>(picture.rays), info.seconds, info.seed, text_of(error), task.out.string());
     if (met) return 0;
-    fmt::print("the error {} was not reached with {} samples a pixel (--max-spp): fireflies, or too few samples\n",
-               text_of(*task.end.error), samples);
+    fmt::print("{} with {} samples a pixel (--max-spp): {}\n", outcome_of(error, *task.end.error), samples,
+               reason_of(grounds));
     return 3;
 }
 

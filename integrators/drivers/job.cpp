@@ -5,9 +5,36 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/random.h"
 #include "integrators/drivers/pixels.h"
+#include "integrators/drivers/splatting.h"
 
 namespace plumb {
+
+namespace {
+
+// The mean luminance of a few paths, or where they bring nothing the scale of the scene's lights; both are in
+// proportion to what lights emit. How near it is to the picture's mean does not matter: sums hold 2^-64 to 2^31 of it.
+double size_of_radiance(const RenderJob& job) {
+    constexpr std::uint32_t paths = 64;
+    IndependentSamples numbers;
+    PathRecord record;
+    double sum = 0;
+    for (std::uint32_t i = 0; i < paths; ++i) {
+        numbers.start({stream_id("size of radiance"), 0, i});
+        job.estimator.trace(job.scene, job.settings.crop, numbers, record);
+        const double brings = luminance(region_mean(record, job.settings.crop, job.scene.sensor().filter()));
+        if (std::isfinite(brings)) sum += std::abs(brings);
+    }
+    return sum > 0 ? sum / paths : job.scene.scale_of_light();
+}
+
+int exponent_of_radiance(const RenderJob& job) {
+    const double size = size_of_radiance(job);
+    return size > 0 && std::isfinite(size) ? std::clamp(std::ilogb(size), -900, 900) : 0;
+}
+
+}  // namespace
 
 RenderJob job_of(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings) {
     static const auto pixels = std::make_shared<const IndependentPixels>();
@@ -46,8 +73,8 @@ void check_crop(const FilmRegion& crop, FilmSize film) {
                                 crop.x, crop.y, crop.width, crop.height, film.width, film.height));
 }
 
-std::vector<FilmLayer> render_layers() {
-    return {{"radiance", {"R", "G", "B"}, true},
+std::vector<FilmLayer> render_layers(const RenderJob& job) {
+    return {{"radiance", {"R", "G", "B"}, true, exponent_of_radiance(job)},
             {"albedo", {"R", "G", "B"}, true},
             {"normal", {"X", "Y", "Z"}, false},
             {"depth", {"Z"}, true}};

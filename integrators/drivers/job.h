@@ -49,7 +49,9 @@ PathKey path_key(const Scene& scene, const RenderSettings& settings, int x, int 
 /// Throws Error for a crop that is not within the film.
 void check_crop(const FilmRegion& crop, FilmSize film);
 
-/// The layers of a render: radiance, then what the camera sees first (albedo, normal, depth), by the same samples.
-std::vector<FilmLayer> render_layers();
+/// The layers of a render: radiance, then what the camera sees first (albedo, normal, depth), by the same samples. The
+/// unit of radiance is a power of two near the mean of a few paths that are the same for every seed, so that all light
+/// times 2^k is the same sums in another unit.
+std::vector<FilmLayer> render_layers(const RenderJob& job);
 
 }  // namespace plumb

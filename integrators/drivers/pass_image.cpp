@@ -1,11 +1,9 @@
 #include "integrators/drivers/pass_image.h"
 
-#include "integrators/drivers/job.h"
-
 namespace plumb {
 
 FilmPass& PassImage::made() {
-    if (!pixels_) pixels_.emplace(FilmSize{crop_.width, crop_.height}, render_layers());
+    if (!pixels_) pixels_.emplace(FilmSize{crop_.width, crop_.height}, layers_);
     return *pixels_;
 }
 

@@ -13,7 +13,8 @@ namespace plumb {
 /// splats come does not matter.
 class PassImage {
 public:
-    explicit PassImage(const FilmRegion& crop) : crop_(crop) {}
+    PassImage(const FilmRegion& crop, std::vector<FilmLayer> layers) : crop_(crop), layers_(std::move(layers)) {}
+    [[nodiscard]] const std::vector<FilmLayer>& layers() const { return layers_; }
 
     /// Adds a part, its upper left corner at this pixel of the film, and the rays that it took.
     void add(int x, int y, const FilmPass& part, std::uint64_t rays);
@@ -28,6 +29,7 @@ private:
     FilmPass& made();
 
     FilmRegion crop_;
+    std::vector<FilmLayer> layers_;
     std::mutex mutex_;
     std::optional<FilmPass> pixels_;  // when the first part comes: the pass that is begun next costs nobody a wait
     std::uint64_t rays_ = 0;

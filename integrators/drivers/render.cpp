@@ -10,9 +10,9 @@ namespace plumb {
 
 namespace {
 
-std::size_t bytes_of_image(const FilmRegion& crop) {
+std::size_t bytes_of_image(const FilmRegion& crop, const std::vector<FilmLayer>& layers) {
     std::size_t channels = 0;
-    for (const FilmLayer& layer : render_layers()) channels += layer.channels.size();
+    for (const FilmLayer& layer : layers) channels += layer.channels.size();
     return static_cast<std::size_t>(crop.width) * static_cast<std::size_t>(crop.height) * channels * sizeof(ExactSum);
 }
 
@@ -43,9 +43,9 @@ private:
 // The images of the passes that are begun and not finished.
 class ImagesInFlight {
 public:
-    void begin(const FilmRegion& crop) {
+    void begin(const FilmRegion& crop, const std::vector<FilmLayer>& layers) {
         const std::lock_guard lock(mutex_);
-        images_.emplace_back(crop);
+        images_.emplace_back(crop, layers);
     }
     PassImage& of(std::uint32_t pass) {
         const std::lock_guard lock(mutex_);
@@ -71,13 +71,14 @@ Rendered render(const RenderJob& job, const std::function<bool(const RenderProgr
     const Driver& driver = *job.driver;
     const std::size_t pieces = driver.pieces(job), threads = static_cast<std::size_t>(hardware_threads());
     const std::uint32_t passes = count_of_passes(settings);
-    Rendered result{Film({settings.crop.width, settings.crop.height}, render_layers())};
+    const std::vector<FilmLayer> layers = render_layers(job);
+    Rendered result{Film({settings.crop.width, settings.crop.height}, layers)};
     Teller teller(go_on, std::uint64_t{passes} * pieces);
     ImagesInFlight images;
     work_off({.passes = passes,
               .pieces = pieces,
-              .in_flight = passes_in_flight(pieces, threads, bytes_of_image(settings.crop)),
-              .begin = [&](std::uint32_t) { images.begin(settings.crop); },
+              .in_flight = passes_in_flight(pieces, threads, bytes_of_image(settings.crop, layers)),
+              .begin = [&](std::uint32_t) { images.begin(settings.crop, layers); },
               .make =
                   [&](std::uint32_t pass, std::size_t piece) {
                       driver.make(job, settings.first_pass + pass * settings.pass_step, piece, images.of(pass));

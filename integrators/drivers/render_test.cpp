@@ -36,7 +36,7 @@ TEST(Render, PartsMergeToTheBitsOfTheWhole) {
                 return *film;
             };
             const Film whole = film_of(settings, 2);
-            Film merged(FilmSize{20, 17}, render_layers());
+            Film merged(FilmSize{20, 17}, whole.layers());
             for (const std::uint32_t part : {3u, 1u, 2u})
                 merged.merge(film_of(part_of(settings, part, 3), part == 1 ? 2 : 1));
             EXPECT_EQ(merged.replicates(), 5u);

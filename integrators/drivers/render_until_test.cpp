@@ -48,5 +48,39 @@ TEST_F(RenderUntil, EndsWhereTheErrorIsReached) {
     EXPECT_EQ(until({done.error.rmse, false}, 1024).rendered.film.replicates(), 256u);
 }
 
+// Every path brings 1, and one in so many a spike beside it.
+struct Spiky final : PathEstimator {
+    double chance;
+    explicit Spiky(double one_in) : chance(1 / one_in) {}
+    void trace(const Scene&, const FilmRegion& region, PrimarySamples& samples, PathRecord& record) const override {
+        record.clear();
+        const bool spike = samples.at({0, Use::lobe}).u[0] < chance;
+        record.add({{region.x + 0.5, region.y + 0.5}, Spectrum::grey(spike ? 1 + 0.2 / chance : 1), 2}, 1);
+    }
+};
+
+TEST_F(RenderUntil, GoesOnWhileFewPathsCarryMuch) {
+    estimator = std::make_unique<Spiky>(512);  // 256 pixels: a spike in two passes
+    const RenderedUntil undecided = until({10, true}, 16);
+    EXPECT_TRUE(meets(undecided.error, {10, true}));
+    EXPECT_FALSE(undecided.met);
+    EXPECT_TRUE(undecided.grounds.few_carry_much());
+    const RenderedUntil met = until({10, true}, 4096);
+    EXPECT_TRUE(met.met);
+    EXPECT_GE(met.rendered.film.replicates(), 32u);
+}
+
+TEST_F(RenderUntil, DoesNotTrustAPictureThatMayLackALight) {
+    description::Scene two = scene.description();
+    two.emitters.push_back({description::PointLight{{0, 0, 5}, Spectrum::grey(1e-9)}, {}});
+    scene = Scene(two, LightChooser::by_power);
+    const RenderedUntil lacking = until({1, true}, 32);
+    EXPECT_TRUE(meets(lacking.error, {1, true}));
+    EXPECT_TRUE(lacking.grounds.light_may_be_missing());
+    EXPECT_FALSE(lacking.met);
+    scene = Scene(two);
+    EXPECT_TRUE(until({1, true}, 32).met);
+}
+
 }  // namespace
 }  // namespace plumb

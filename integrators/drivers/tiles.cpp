@@ -48,7 +48,7 @@ TileSamples::TileSamples(const RenderJob& job, std::uint32_t pass, const FilmReg
       pass_(pass),
       tile_(tile),
       image_(image),
-      part_({tile.width, tile.height}, render_layers()),
+      part_({tile.width, tile.height}, image.layers()),
       sampler_(job.settings.sampler, job.settings.samples_per_pass) {}
 
 void TileSamples::take(int x, int y, double weight) {

@@ -35,6 +35,7 @@ public:
     /// (per_steradian).
     [[nodiscard]] double pdf_area() const { return 1 / surface_.area(); }
     [[nodiscard]] Spectrum power(double) const { return lambertian_power(radiance_, surface_.area()); }
+    [[nodiscard]] const Surface& surface() const { return surface_; }
 
 private:
     Surface surface_;

@@ -31,11 +31,30 @@ Light light_of(const auto& geometry, const Spectrum& radiance) {
 
 }  // namespace
 
-Light area_light(const description::Shape& shape) {
+Light area_light(const description::Shape& shape, bool masked) {
     return at_place(shape.emitter->place, [&] {
+        if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry); mesh && masked)
+            return Light(MeshLight::of(*mesh, shape.emitter->radiance));
         return std::visit([&](const auto& geometry) { return light_of(geometry, shape.emitter->radiance); },
                           shape.geometry);
     });
+}
+
+std::array<double, 2> uv_on_light(const description::Shape& shape, const Light& light, const Point<2>& u,
+                                  Vec3 position) {
+    const auto uv = [&]<class Geometry>(const Geometry& geometry) {
+        if constexpr (AnalyticShape<Geometry>) {
+            return geometry.hit(Ray{position, {}}, 0).uv;
+        } else {
+            auto [triangle, b1, b2] = std::get<MeshLight>(light).surface().place(u);
+            const auto number = static_cast<std::uint32_t>(triangle);
+            if (geometry.turned_by_normals(number)) std::swap(b1, b2);
+            Hit hit;
+            set_mesh_hit(hit, geometry, number, b1, b2);
+            return hit.uv;
+        }
+    };
+    return std::visit(uv, shape.geometry);
 }
 
 Light shapeless_light(const description::Emitter& emitter) {

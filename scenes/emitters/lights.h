@@ -10,8 +10,14 @@ namespace plumb {
 /// A light of a scene, under the conventions of scenes/emitters/light.h.
 using Light = description::OneOf<Lights>;
 
-/// The light that a shape with an emitter is. Throws Error naming file and line where it can be none.
-Light area_light(const description::Shape& shape);
+/// The light that a shape with an emitter is. Throws Error naming file and line where it can be none. The light of a
+/// masked mesh is a light of triangles, which know the texture coordinates of their points.
+Light area_light(const description::Shape& shape, bool masked = false);
+
+/// The texture coordinates that a ray finds at the point which the light of a masked shape chose for u, or, of a shape
+/// that is no mesh, at this position.
+std::array<double, 2> uv_on_light(const description::Shape& shape, const Light& light, const Point<2>& u,
+                                  Vec3 position);
 
 /// A light without a shape. Throws Error naming file and line for a picture that cannot be read or is no environment.
 Light shapeless_light(const description::Emitter& emitter);

@@ -52,10 +52,15 @@ MeshSurface::MeshSurface(std::vector<Triangle> triangles)
     for (const double area : areas(triangles_)) area_ += area;
 }
 
-SurfacePoint MeshSurface::at(const Point<2>& u) const {
+TrianglePlace MeshSurface::place(const Point<2>& u) const {
     const double count = static_cast<double>(triangles_.size()), place = choice_.sample(u[0]) * count;
     const std::size_t i = std::min(static_cast<std::size_t>(place), triangles_.size() - 1);
     const auto [b1, b2] = sample_uniform_triangle({place - static_cast<double>(i), u[1]});
+    return {i, b1, b2};
+}
+
+SurfacePoint MeshSurface::at(const Point<2>& u) const {
+    const auto [i, b1, b2] = place(u);
     const auto& [a, b, c] = triangles_[i];
     return triangle_point(Facet({a, b, c}), b1, b2);
 }

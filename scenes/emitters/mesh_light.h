@@ -14,6 +14,12 @@ struct Triangle {
 };
 std::vector<Triangle> triangles_of(const Mesh& mesh);
 
+/// A point of the triangle with this number, a (1 − b1 − b2) + b b1 + c b2.
+struct TrianglePlace {
+    std::size_t triangle;
+    double b1, b2;
+};
+
 /// A surface of triangles, seen from one side.
 class MeshSurface {
 public:
@@ -21,6 +27,7 @@ public:
     explicit MeshSurface(std::vector<Triangle> triangles);
 
     [[nodiscard]] double area() const { return area_; }
+    [[nodiscard]] TrianglePlace place(const Point<2>& u) const;
     [[nodiscard]] SurfacePoint at(const Point<2>& u) const;
     /// The first triangle that the ray meets, found by looking at every one: for claims and small lights, as a scene's
     /// ray caster knows the triangle that it met.

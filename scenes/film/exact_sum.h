@@ -43,9 +43,7 @@ private:
     Integer sum_ = 0;
 };
 
-/// A sum of radiances and the like: resolution 5e-20, terms below 2^31, 2^31 of them.
+/// A sum of radiances and the like, in a unit of their size: resolution 5e-20, terms below 2^31, 2^31 of them.
 using ExactSum = FixedPointSum<64, 31>;
-/// A sum of their squares: resolution 6e-14, terms below 2^62, 2^20 of them.
-using ExactSumOfSquares = FixedPointSum<44, 62>;
 
 }  // namespace plumb

@@ -39,6 +39,31 @@ void require_same_channels(std::size_t a, std::size_t b) {
     if (a != b) throw Error(fmt::format("films of {} and {} channels cannot be joined", a, b));
 }
 
+// Films whose sums are in other units, or of other layers, are of other pictures.
+void require_same_layers(const std::vector<FilmLayer>& a, const std::vector<FilmLayer>& b) {
+    if (a.size() != b.size())
+        throw Error(fmt::format("films of {} and {} layers cannot be joined", a.size(), b.size()));
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        require_same_channels(a[i].channels.size(), b[i].channels.size());
+        if (a[i].exponent != b[i].exponent)
+            throw Error(fmt::format("films with sums of '{}' in units of 2^{} and 2^{} cannot be joined", a[i].name,
+                                    a[i].exponent, b[i].exponent));
+    }
+}
+
+// The exponent of the unit of a channel, counted through all layers.
+int exponent_of(const std::vector<FilmLayer>& layers, std::size_t channel) {
+    std::size_t i = 0;
+    while (channel >= layers[i].channels.size()) channel -= layers[i++].channels.size();
+    return layers[i].exponent;
+}
+
+// A variance that a float is too coarse for becomes the least that it holds well: to say 0 would be to say that the
+// mean is exact.
+double variance_for_float(double variance) {
+    return variance > 0 ? std::max<double>(variance, std::numeric_limits<float>::min()) : variance;
+}
+
 template <class Sums>
 void merge_all(Sums& sums, const Sums& others) {
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i].merge(others[i]);
@@ -80,22 +105,24 @@ void FilmPass::splat(int x, int y, const Spectrum& value) {
 }
 
 void FilmPass::add_to(std::size_t first_sum, const FilmLayer& layer, const Spectrum& value) {
+    const double units = layer.exponent == 0 ? 1 : std::ldexp(1.0, -layer.exponent);
     for (std::size_t c = 0; c < layer.channels.size(); ++c) {
         if (layer.non_negative && value[c] < 0) ++bad_.negative;
-        if (ExactSum::accepts(value[c])) {
-            sums_[first_sum + c].add(value[c]);
-        } else if (std::isfinite(value[c])) {
+        const double in_units = value[c] * units;
+        if (ExactSum::accepts(in_units)) {
+            sums_[first_sum + c].add(in_units);
+        } else if (std::isfinite(in_units)) {
             ++bad_.large;
-            wide_.add(first_sum + c, value[c]);
+            wide_.add(first_sum + c, in_units);
         } else {
-            ++(std::isnan(value[c]) ? bad_.nan : bad_.infinite);
+            ++(std::isnan(in_units) ? bad_.nan : bad_.infinite);
         }
     }
 }
 
 void FilmPass::merge(const FilmPass& other) {
     require_same_shape(size_, other.size_);
-    require_same_channels(channels_, other.channels_);
+    require_same_layers(layers_, other.layers_);
     merge_all(sums_, other.sums_);
     wide_.merge(other.wide_);
     for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i] += other.samples_[i];
@@ -103,7 +130,7 @@ void FilmPass::merge(const FilmPass& other) {
 }
 
 void FilmPass::merge_at(int x, int y, const FilmPass& part) {
-    require_same_channels(channels_, part.channels_);
+    require_same_layers(layers_, part.layers_);
     for (int j = 0; j < part.size_.height; ++j)
         for (int i = 0; i < part.size_.width; ++i) {
             const std::size_t to = pixel(x + i, y + j), from = part.pixel(i, j);
@@ -124,45 +151,50 @@ double FilmPass::mean_at(std::size_t pixel, std::size_t channel) const {
     return wide_.total(number, sums_[number]) / static_cast<double>(samples_[pixel]);
 }
 
+double FilmPass::mean(int x, int y, std::size_t channel) const {
+    return std::ldexp(mean_at(pixel(x, y), channel), exponent_of(layers_, channel));
+}
+
 Film::Film(FilmSize size, std::vector<FilmLayer> layers)
     : size_(size),
       layers_(std::move(layers)),
       channels_(channels_of(layers_)),
       sums_(area(size) * channels_),
-      squares_(area(size) * channels_),
+      squares_(area(size) * layers_[0].channels.size()),
       samples_(area(size)) {}
 
-std::size_t Film::at(int x, int y, std::size_t channel) const {
-    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(x)) *
-               channels_ +
-           channel;
+std::size_t Film::pixel(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(x);
+}
+std::size_t Film::square_of(std::size_t pixel, std::size_t channel) const {
+    return pixel * layers_[0].channels.size() + channel;
 }
 
 void Film::add(const FilmPass& pass) {
     require_same_shape(size_, pass.size());
-    require_same_channels(channels_, pass.channels());
+    require_same_layers(layers_, pass.layers());
     for (std::size_t pixel = 0; pixel < samples_.size(); ++pixel) {
         samples_[pixel] += pass.samples_[pixel];
-        for (std::size_t c = 0; c < channels_; ++c) add_mean(pixel * channels_ + c, pass.mean_at(pixel, c));
+        for (std::size_t c = 0; c < channels_; ++c) add_mean(pixel, c, pass.mean_at(pixel, c));
     }
     ++replicates_;
     bad_.merge(pass.bad_values());
 }
 
-void Film::add_mean(std::size_t number, double mean) {
-    if (ExactSum::accepts(mean))
-        sums_[number].add(mean);
-    else
-        wide_sums_.add(number, mean);
-    if (ExactSumOfSquares::accepts(mean * mean))
-        squares_[number].add(mean * mean);
-    else
-        wide_squares_.add(number, mean * mean);
+void Film::add_mean(std::size_t pixel, std::size_t channel, double mean) {
+    const auto add_to = [](auto& sums, WideSums& wide, std::size_t number, double value) {
+        if (sums[number].accepts(value))
+            sums[number].add(value);
+        else
+            wide.add(number, value);
+    };
+    add_to(sums_, wide_sums_, pixel * channels_ + channel, mean);
+    if (channel < layers_[0].channels.size()) add_to(squares_, wide_squares_, square_of(pixel, channel), mean * mean);
 }
 
 void Film::merge(const Film& other) {
     require_same_shape(size_, other.size_);
-    require_same_channels(channels_, other.channels_);
+    require_same_layers(layers_, other.layers_);
     merge_all(sums_, other.sums_);
     merge_all(squares_, other.squares_);
     wide_sums_.merge(other.wide_sums_);
@@ -173,24 +205,33 @@ void Film::merge(const Film& other) {
 }
 
 std::uint64_t Film::samples(int x, int y) const {
-    return samples_[at(x, y, 0) / channels_];
+    return samples_[pixel(x, y)];
 }
 
-double Film::mean(int x, int y, std::size_t channel) const {
+double Film::mean_at(std::size_t pixel, std::size_t channel) const {
     if (replicates_ == 0) return 0;
-    const std::size_t number = at(x, y, channel);
+    const std::size_t number = pixel * channels_ + channel;
     return wide_sums_.total(number, sums_[number]) / static_cast<double>(replicates_);
 }
 
+double Film::mean(int x, int y, std::size_t channel) const {
+    return std::ldexp(mean_at(pixel(x, y), channel), exponent_of(layers_, channel));
+}
+
 double Film::variance_of_mean(int x, int y, std::size_t channel) const {
+    if (channel >= layers_[0].channels.size())
+        throw Error(fmt::format("the variance of channel {}; accepted are the {} of layer '{}'", channel,
+                                layers_[0].channels.size(), layers_[0].name));
     if (replicates_ < 2) return std::numeric_limits<double>::infinity();
-    const double n = static_cast<double>(replicates_), m = mean(x, y, channel);
-    const std::size_t number = at(x, y, channel);
+    const double n = static_cast<double>(replicates_), m = mean_at(pixel(x, y), channel);
+    const std::size_t number = square_of(pixel(x, y), channel);
     const double square = wide_squares_.total(number, squares_[number]) / n, centred = square - m * m;
     if (!std::isfinite(centred)) return std::numeric_limits<double>::infinity();
-    // What rounding leaves of a constant is no variance: of each square when it was added, and of both terms here.
-    const double rounding = ExactSumOfSquares::resolution + 4 * std::numeric_limits<double>::epsilon() * square;
-    return centred > rounding ? centred / (n - 1) : 0;
+    // What rounding leaves of a constant is no variance: of each mean and each square when it was added, and of both
+    // terms here.
+    const double rounding = 2 * std::abs(m) * ExactSum::resolution + ExactSumOfSquares::resolution +
+                            4 * std::numeric_limits<double>::epsilon() * square;
+    return centred > rounding ? std::ldexp(centred / (n - 1), 2 * layers_[0].exponent) : 0;
 }
 
 Image Film::image() const {
@@ -206,7 +247,7 @@ Image Film::image() const {
         for (int x = 0; x < size_.width; ++x) {
             const auto put = [&](double value) { image.values.push_back(static_cast<float>(value)); };
             for (std::size_t c = 0; c < first; ++c) put(mean(x, y, c));
-            for (std::size_t c = 0; c < first; ++c) put(variance_of_mean(x, y, c));
+            for (std::size_t c = 0; c < first; ++c) put(variance_for_float(variance_of_mean(x, y, c)));
             put(static_cast<double>(samples(x, y)));
             for (std::size_t c = first; c < channels_; ++c) put(mean(x, y, c));
         }

@@ -18,10 +18,12 @@ struct FilmLayer {
     std::string name;
     std::vector<std::string> channels;  ///< e.g. R, G, B; X, Y, Z; Z
     bool non_negative = true;           ///< then negative values are counted
+    /// Sums are in units of 2^exponent, which ought to be of the size of the picture's mean: they resolve 2^-64 of it.
+    int exponent = 0;
 };
 
 /// Counts of values that should not be, or seldom. NaN and infinite ones add nothing to a pixel; negative ones do add,
-/// and so do large ones, of 2^31 and more, as exactly as others: a film that drops them is biased.
+/// and so do large ones, of 2^31 units and more, as exactly as others: a film that drops them is biased.
 struct BadValues {
     std::uint64_t nan = 0, infinite = 0, negative = 0, large = 0;
     void merge(const BadValues& other);
@@ -46,16 +48,16 @@ public:
     void merge_at(int x, int y, const FilmPass& part);
 
     [[nodiscard]] std::uint64_t samples(int x, int y) const { return samples_[pixel(x, y)]; }
-    [[nodiscard]] double mean(int x, int y, std::size_t channel) const { return mean_at(pixel(x, y), channel); }
+    [[nodiscard]] double mean(int x, int y, std::size_t channel) const;
     [[nodiscard]] const BadValues& bad_values() const { return bad_; }
     [[nodiscard]] std::size_t channels() const { return channels_; }
     [[nodiscard]] FilmSize size() const { return size_; }
     [[nodiscard]] const std::vector<FilmLayer>& layers() const { return layers_; }
 
 private:
-    friend class Film;  // which adds passes pixel by pixel
+    friend class Film;
     [[nodiscard]] std::size_t pixel(int x, int y) const;
-    [[nodiscard]] double mean_at(std::size_t pixel, std::size_t channel) const;
+    [[nodiscard]] double mean_at(std::size_t pixel, std::size_t channel) const;  // in units of its layer
     void add_to(std::size_t first_sum, const FilmLayer& layer, const Spectrum& value);
 
     FilmSize size_;
@@ -81,7 +83,7 @@ public:
     [[nodiscard]] std::uint64_t replicates() const { return replicates_; }
     [[nodiscard]] std::uint64_t samples(int x, int y) const;
     [[nodiscard]] double mean(int x, int y, std::size_t channel) const;
-    /// The variance of the mean; infinite for fewer than two replicates.
+    /// The variance of the mean of a channel of the first layer; infinite for fewer than two replicates.
     [[nodiscard]] double variance_of_mean(int x, int y, std::size_t channel) const;
     [[nodiscard]] const BadValues& bad_values() const { return bad_; }
     [[nodiscard]] FilmSize size() const { return size_; }
@@ -93,15 +95,17 @@ public:
 
 private:
     friend struct FilmBits;  // of film_part.cpp
-    void add_mean(std::size_t number, double mean);
-    [[nodiscard]] std::size_t at(int x, int y, std::size_t channel) const;
+    [[nodiscard]] std::size_t pixel(int x, int y) const;
+    void add_mean(std::size_t pixel, std::size_t channel, double mean);
+    [[nodiscard]] std::size_t square_of(std::size_t pixel, std::size_t channel) const;
+    [[nodiscard]] double mean_at(std::size_t pixel, std::size_t channel) const;  // in units of its layer
 
     FilmSize size_;
     std::vector<FilmLayer> layers_;
     std::size_t channels_;
     std::vector<ExactSum> sums_;
-    std::vector<ExactSumOfSquares> squares_;
-    WideSums wide_sums_, wide_squares_;  // of large values, by the same numbers
+    std::vector<ExactSumOfSquares> squares_;  // of the first layer
+    WideSums wide_sums_, wide_squares_;       // of large values, by the same numbers
     std::vector<std::uint64_t> samples_;
     std::uint64_t replicates_ = 0;
     BadValues bad_;

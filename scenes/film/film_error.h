@@ -16,4 +16,9 @@ struct FilmError {
 /// Infinite for fewer than two replicates; 0 for a film that shows no noise.
 FilmError error_of(const Film& film);
 
+/// The relative standard error of ⟨v⟩ of two films together, which are of the same picture and independent: by how much
+/// the two differ in each pixel. k rare spikes that carry all of v make it 1/√k, however regular the rest is. 0 where
+/// neither shows noise, infinite where one has fewer than two replicates.
+double error_of_variance(const Film& one, const Film& other);
+
 }  // namespace plumb

@@ -61,5 +61,35 @@ TEST(FilmError, IsTheClosedFormOfCoins) {
     EXPECT_NEAR(error_of(film).relative, 1 / std::sqrt(samples * replicates), 5 * 0.004 / 8);
 }
 
+// Each of `spikes` pixels of 100 has one value of 1000 beside so many zeros; all have some regular noise.
+Film with_spikes(int spikes, int passes, std::uint64_t seed) {
+    Film film({100, 1}, layers);
+    RandomStream random(seed);
+    for (int pass = 0; pass < passes; ++pass) {
+        std::vector<Spectrum> pixels;
+        for (int x = 0; x < 100; ++x)
+            pixels.push_back(Spectrum::grey(pass == x % passes && x < spikes ? 1000 : random.uniform()));
+        film.add(pass_of(pixels));
+    }
+    return film;
+}
+
+TEST(ErrorOfVariance, IsOneOverTheRootOfTheSpikes) {
+    const Film regular = with_spikes(0, 16, 2);
+    EXPECT_NEAR(error_of_variance(with_spikes(0, 16, 1), regular), std::sqrt(0.8 / 32 / 100), 0.004);
+    for (const int spikes : {1, 4, 16, 64})
+        EXPECT_NEAR(error_of_variance(with_spikes(spikes, 16, 1), regular), 1 / std::sqrt(spikes), 0.01) << spikes;
+}
+
+TEST(ErrorOfVariance, OfHalvesThatCannotTell) {
+    Film one({1, 1}, layers), other({1, 1}, layers);
+    for (const double value : {1.0, 2.0}) one.add(pass_of({Spectrum::grey(value)}));
+    other.add(pass_of({Spectrum::grey(1)}));
+    EXPECT_EQ(error_of_variance(one, other), std::numeric_limits<double>::infinity());
+    other.add(pass_of({Spectrum::grey(1)}));
+    EXPECT_EQ(error_of_variance(other, other), 0);
+    EXPECT_EQ(error_of_variance(one, one), 0);
+}
+
 }  // namespace
 }  // namespace plumb

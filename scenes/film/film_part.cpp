@@ -13,7 +13,7 @@ namespace plumb {
 
 namespace {
 
-constexpr std::string_view magic = "PLUMBFILM2\n";
+constexpr std::string_view magic = "PLUMBFILM3\n";
 
 template <class T>
 concept Plain = std::is_trivially_copyable_v<T>;
@@ -96,11 +96,12 @@ struct FilmBits {
     static void write(const Film& film, Writer& to) {
         to(film.size_);
         to(film.layers_.size());
-        for (const auto& [name, channels, non_negative] : film.layers_) {
+        for (const auto& [name, channels, non_negative, exponent] : film.layers_) {
             to(name);
             to(channels.size());
             for (const std::string& channel : channels) to(channel);
             to(non_negative);
+            to(exponent);
         }
         to(film.replicates_);
         to(film.bad_);
@@ -118,6 +119,7 @@ struct FilmBits {
             for (auto channels = from.plain<std::size_t>(); channels > 0; --channels)
                 layer.channels.push_back(from.text());
             layer.non_negative = from.plain<bool>();
+            layer.exponent = from.plain<int>();
         }
         Film film(size, std::move(layers));
         film.replicates_ = from.plain<std::uint64_t>();
@@ -125,7 +127,7 @@ struct FilmBits {
         from.fill(film.sums_);
         from.fill(film.squares_);
         from.fill(film.wide_sums_, film.sums_.size());
-        from.fill(film.wide_squares_, film.sums_.size());
+        from.fill(film.wide_squares_, film.squares_.size());
         from.fill(film.samples_);
         return film;
     }

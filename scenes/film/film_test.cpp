@@ -78,6 +78,30 @@ TEST(Film, KeepsLargeValuesInTheirPixel) {
     EXPECT_EQ(film.bad_values(), (BadValues{0, 0, 0, 2}));
 }
 
+TEST(Film, IsTheSameInAnyUnit) {
+    const auto film_of = [](int exponent) {
+        std::vector<FilmLayer> scaled = layers;
+        scaled[0].exponent = exponent;
+        Film film({1, 1}, scaled);
+        for (const double radiance : {0.3, 0.7, 1e-9, 5.1}) {
+            FilmPass pass({1, 1}, scaled);
+            pass.add(0, 0, std::vector{Spectrum::grey(std::ldexp(radiance, exponent)), Spectrum::grey(-2)});
+            film.add(pass);
+        }
+        return film;
+    };
+    const Film film = film_of(0);
+    for (const int exponent : {-300, -100, 100, 300}) {
+        const Film other = film_of(exponent);
+        EXPECT_EQ(other.mean(0, 0, 0), std::ldexp(film.mean(0, 0, 0), exponent));
+        EXPECT_EQ(other.variance_of_mean(0, 0, 0), std::ldexp(film.variance_of_mean(0, 0, 0), 2 * exponent));
+        EXPECT_EQ(other.mean(0, 0, 3), -2);
+        EXPECT_THROW(Film(film).merge(other), Error);
+    }
+    const Image dim = film_of(-100).image();  // whose variance no float holds
+    EXPECT_GT(dim.values[3], 0);
+}
+
 TEST(Film, IsUncertainOfWhatIsTooLargeToSquare) {
     Film film({1, 1}, layers);
     film.add(pass_of({1e200}));

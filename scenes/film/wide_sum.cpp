@@ -28,8 +28,9 @@ Limbs negated(Limbs sum) {
 
 }  // namespace
 
-// Adds digits · 2^(shift − fraction), shift ≥ 0.
-void WideSum::add(Integer digits, int shift) {
+// Adds digits · 2^(shift − fraction_bits), shift ≥ 0.
+template <int fraction_bits, int limb_count>
+void LimbSum<fraction_bits, limb_count>::add(Integer digits, int shift) {
     const bool negative = digits < 0;
     const Wide magnitude = negative ? -static_cast<Wide>(digits) : static_cast<Wide>(digits);
     const Wide low = static_cast<Wide>(static_cast<std::uint64_t>(magnitude)) << shift % 64;
@@ -44,26 +45,34 @@ void WideSum::add(Integer digits, int shift) {
     add_to(sum_, negative ? negated(term) : term);
 }
 
-void WideSum::add(double x) {
+template <int fraction_bits, int limb_count>
+void LimbSum<fraction_bits, limb_count>::add_limbs(const Limbs& term) {
+    add_to(sum_, term);
+}
+
+template <int fraction_bits, int limb_count>
+void LimbSum<fraction_bits, limb_count>::add(double x) {
     if (!std::isfinite(x)) {
         not_finite_ += x;
         return;
     }
     int exponent = 0;
     const double mantissa = std::frexp(x, &exponent);  // x = mantissa 2^exponent, |mantissa| in [½, 1)
-    const int shift = exponent - 53 + fraction;        // of its 53 digits
+    const int shift = exponent - 53 + fraction_bits;   // of its 53 digits
     if (shift >= 0)
         add(static_cast<Integer>(std::ldexp(mantissa, 53)), shift);
     else
-        add(static_cast<Integer>(std::nearbyint(std::ldexp(x, fraction))), 0);
+        add(static_cast<Integer>(std::nearbyint(std::ldexp(x, fraction_bits))), 0);
 }
 
-void WideSum::merge(const WideSum& other) {
+template <int fraction_bits, int limb_count>
+void LimbSum<fraction_bits, limb_count>::merge(const LimbSum& other) {
     add_to(sum_, other.sum_);
     not_finite_ += other.not_finite_;
 }
 
-double WideSum::value() const {
+template <int fraction_bits, int limb_count>
+double LimbSum<fraction_bits, limb_count>::value() const {
     if (not_finite_ != 0) return not_finite_;
     const bool negative = sum_.back() >> 63 != 0;
     const Limbs magnitude = negative ? negated(sum_) : sum_;
@@ -74,8 +83,11 @@ double WideSum::value() const {
     // is 0 there is nothing below.
     for (std::size_t i = 0; i + 1 < top; ++i)
         if (magnitude[i] != 0) digits |= 1;
-    const double value = std::ldexp(static_cast<double>(digits), 64 * static_cast<int>(top - 1) - fraction);
+    const double value = std::ldexp(static_cast<double>(digits), 64 * static_cast<int>(top - 1) - fraction_bits);
     return negative ? -value : value;
 }
+
+template class LimbSum<64, 18>;
+template class LimbSum<128, 4>;
 
 }  // namespace plumb

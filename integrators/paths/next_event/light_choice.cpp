@@ -18,7 +18,7 @@ std::optional<SceneLightSample> ChoiceByProbability::sample(const Scene& scene, 
     if (scene.lights().empty()) return {};
     const auto [light, probability] = choose(scene, from, draws.at(index.slot(Use::light))[0]);
     const Point<2> u = draws.at(index.slot(Use::light_point));
-    const auto found = std::visit([&](const auto& one) { return one.sample(from.position, u); }, scene.lights()[light]);
+    const auto found = scene.sample_of_light(light, from.position, u);
     if (!found) return {};
     return SceneLightSample{*found, probability * found->pdf, light};
 }

@@ -4,7 +4,7 @@ namespace plumb {
 
 const std::vector<NamedLightChoice>& light_choices() {
     static const std::vector<NamedLightChoice> all{
-        {"power", "in proportion to what lights emit", choice_by_power},
+        {"power", "half in proportion to what lights emit, half all alike", choice_by_power},
         {"uniform", "all lights alike", uniform_choice},
     };
     return all;

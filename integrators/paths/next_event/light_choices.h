@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// The choice in proportion to what lights emit, whatever the vertex.
+/// The scene's own choice, half in proportion to what lights emit and half alike, whatever the vertex.
 std::shared_ptr<const LightChoice> choice_by_power();
 /// The choice of all lights with equal probabilities.
 std::shared_ptr<const LightChoice> uniform_choice();

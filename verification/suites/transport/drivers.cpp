@@ -169,7 +169,7 @@ Verdict same_bits(const Subject& driver, const Run& run) {
         .samples_per_pass = 1, .passes = 5, .seed = run.random(0).bits(), .crop = whole_film(box_scene())};
     const LightTracer light({.max_edges = 3});
     const std::vector<float> one = values_of(driver, settings, 1), two = values_of(driver, settings, 2);
-    Film merged({settings.crop.width, settings.crop.height}, render_layers());
+    Film merged({settings.crop.width, settings.crop.height}, render_layers({box_scene(), light, settings, driver}));
     for (const std::uint32_t part : {2u, 1u})
         merged.merge(render({box_scene(), light, part_of(settings, part, 2), driver}).film);
     const bool shards = merged.image().values == one;
