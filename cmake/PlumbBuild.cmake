@@ -106,7 +106,11 @@ function(plumb_test name)
   target_link_libraries(${name} PRIVATE plumb_options GTest::gmock GTest::gtest_main ${arg_DEPENDS})
   plumb_precompiled_headers(${name} plumb_test_pch LIBRARY GTest::gmock HEADERS <gtest/gtest.h> <gmock/gmock.h>)
   include(GoogleTest)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
+  set(environment "")
+  if(PLUMB_SANITIZE STREQUAL "thread")
+    set(environment ENVIRONMENT "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/tsan.supp ignore_noninstrumented_modules=1")
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300 ${environment})
 endfunction()
 
 # Compiles files of claims and writes catalogue.cpp: shipped_catalogue(), which calls each of them in the order given. A
