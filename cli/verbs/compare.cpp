@@ -43,7 +43,7 @@ void find_reference(std::vector<std::string>& files_b, const std::string& file_a
     const std::string asked = files_b.front();
     const bool image = std::filesystem::is_regular_file(asked) && std::filesystem::path(asked).extension() != ".xml";
     if (files_b.size() > 1 || image || !find_scene_file(asked)) return;
-    const LoadedScene scene = load_scene(asked, {.lenient = true});
+    const NamedScene scene = read_scene(asked, {.lenient = true});
     const Provenance identity = identity_of(scene);
     const std::optional<Provenance> said = provenance_of(a, file_a);
     if (said) require_same_scene(*said, identity, file_a);

@@ -49,8 +49,8 @@ std::optional<int> kept(const std::filesystem::path& file, const Provenance& has
 
 int reference(const Options& options) {
     const RenderMethod method = method_of(options);
-    const LoadedScene scene = load_scene(options.scene, options.load);
-    Provenance wanted = identity_of(scene);
+    ReadScene read = read_scene(options.scene, options.load);
+    Provenance wanted = identity_of(read);
     wanted.integrator = method.integrator;
     wanted.limits.max_edges = options.max_depth;
     if (!wanted.is_radiance())
@@ -58,6 +58,7 @@ int reference(const Options& options) {
     const std::filesystem::path file = reference_file(options.cache, wanted);
     if (const auto found = find_reference(options.cache, wanted))
         if (const auto exit_code = kept(file, found->provenance, options.end)) return *exit_code;
+    const LoadedScene scene = made_ready(std::move(read));
     print_what_is_left_out(method.integrator, scene.scene);
     require_writable({file});
     Session session(options.seed, options.threads);

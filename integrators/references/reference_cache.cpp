@@ -30,7 +30,7 @@ std::optional<Reference> find_reference(const fs::path& cache, const Provenance&
     return Reference{file, std::move(image), std::move(*found)};
 }
 
-Reference require_reference(const fs::path& cache, const LoadedScene& scene, std::optional<int> longest_path) {
+Reference require_reference(const fs::path& cache, const NamedScene& scene, std::optional<int> longest_path) {
     for (const NamedIntegrator* integrator : reference_integrators()) {
         Provenance wanted = identity_of(scene);
         wanted.integrator = integrator->id;

@@ -25,7 +25,7 @@ std::optional<Reference> find_reference(const std::filesystem::path& cache, cons
 
 /// The reference of a scene for paths of these lengths (empty: of any), by the first of reference_integrators() that
 /// has one. Throws Error saying how to make one.
-Reference require_reference(const std::filesystem::path& cache, const LoadedScene& scene,
+Reference require_reference(const std::filesystem::path& cache, const NamedScene& scene,
                             std::optional<int> longest_path);
 
 }  // namespace plumb

@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-Provenance identity_of(const LoadedScene& scene) {
+Provenance identity_of(const NamedScene& scene) {
     return {.scene = scene.name(), .scene_hash = scene.hash(), .version = std::string(version)};
 }
 

@@ -6,6 +6,6 @@
 namespace plumb {
 
 /// The name and hash of a scene, with this program's version; the caller says the rest.
-Provenance identity_of(const LoadedScene& scene);
+Provenance identity_of(const NamedScene& scene);
 
 }  // namespace plumb

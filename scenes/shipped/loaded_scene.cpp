@@ -5,30 +5,32 @@
 #include "scenes/shipped/shipped.h"
 
 namespace plumb {
-namespace {
 
-LoadedScene loaded(const std::string& asked, const std::filesystem::path& file, const LoadOptions& options) {
-    return {asked, file, options, Scene(load_mitsuba(file, options))};
-}
-
-}  // namespace
-
-std::string LoadedScene::name() const {
+std::string NamedScene::name() const {
     return scene_name(file);
 }
 
-std::string LoadedScene::hash() const {
-    return fmt::format("{:016x}", scene.description().content_hash);
+std::string NamedScene::hash() const {
+    return fmt::format("{:016x}", content_hash);
+}
+
+ReadScene read_scene(const std::string& asked, const LoadOptions& options) {
+    const std::filesystem::path file = scene_file(asked);
+    description::Scene description = load_mitsuba(file, options);
+    return {{asked, file, options, description.content_hash}, std::move(description)};
+}
+
+LoadedScene made_ready(ReadScene scene) {
+    return {static_cast<NamedScene>(scene), Scene(std::move(scene.description))};
 }
 
 LoadedScene load_scene(const std::string& asked, const LoadOptions& options) {
-    return loaded(asked, scene_file(asked), options);
+    return made_ready(read_scene(asked, options));
 }
 
 std::shared_ptr<const LoadedScene> LoadedScenes::get(const std::string& asked) {
-    const std::filesystem::path file = scene_file(asked);
-    std::shared_ptr<const LoadedScene>& scene = by_file_[std::filesystem::weakly_canonical(file)];
-    if (!scene) scene = std::make_shared<const LoadedScene>(loaded(asked, file, options_));
+    std::shared_ptr<const LoadedScene>& scene = by_file_[std::filesystem::weakly_canonical(scene_file(asked))];
+    if (!scene) scene = std::make_shared<const LoadedScene>(load_scene(asked, options_));
     return scene;
 }
 

@@ -28,6 +28,7 @@ TEST_F(LoadScene, KnowsItsNamesFileAndContent) {
     EXPECT_EQ(own.asked, file);
     EXPECT_EQ(own.name(), "a");
     EXPECT_NE(own.hash(), shipped.hash());
+    EXPECT_EQ(read_scene(file).hash(), own.hash()) << "before it is made ready";
     EXPECT_EQ(message([] { return load_scene("quad_lihgt").name(); }),
               "unknown scene 'quad_lihgt'; did you mean 'quad_light'?");
 }

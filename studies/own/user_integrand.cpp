@@ -84,7 +84,7 @@ UserIntegrands read_image_channels(const IntegralTask& task) {
     const std::string& file = task.what.front();
     const auto image = std::make_shared<const Image>(read_image(file));
     require_finite(*image, file);
-    const Lookup lookup = task.lookup == "bilinear" ? Lookup::bilinear : Lookup::nearest;
+    const ImageLookup lookup = task.lookup == "bilinear" ? ImageLookup::bilinear : ImageLookup::nearest;
     std::vector<UserIntegrand<2>> channels;
     for (const std::string& channel : task.channel ? std::vector<std::string>{*task.channel} : channel_names(*image)) {
         const ImageFunction f(image, channel_weights(*image, channel), lookup);
