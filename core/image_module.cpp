@@ -72,7 +72,11 @@ void plumb_find_encoder(const char* file, std::string* why) {
 void plumb_decode_image(const char* file, plumb::Image* image, std::string* why) {
     const SilentStandardError silence;
     use_one_thread();
-    const auto input = OIIO::ImageInput::open(file);
+    // The file's own numbers: else OpenImageIO multiplies colours by an alpha that they do not contain, as PNG's do
+    // not.
+    OIIO::ImageSpec as_stored;
+    as_stored.attribute("oiio:UnassociatedAlpha", 1);
+    const auto input = OIIO::ImageInput::open(file, &as_stored);
     if (!input) {
         *why = or_unknown(OIIO::geterror());
         return;

@@ -53,10 +53,16 @@ TEST_F(Meshes, ObjErrorsNameLineAndValue) {
     const auto says = [&](const std::string& text) { return message([&] { return read_obj(write("a.obj", text)); }); };
     EXPECT_EQ(says("v 0 0 0\nv 1 nan 0\n"), "a.obj:2: a coordinate of v is 'nan'; a finite number is accepted");
     EXPECT_EQ(says("v 0 0\n"), "a.obj:1: a coordinate of v is missing");
-    EXPECT_EQ(says("v 0 0 0\nv 1 0 0\nf 1 2 3\n"), "a.obj:3: a face's v index is 3; there are 2 before it");
-    EXPECT_EQ(says("v 0 0 0\nv 1 0 0\nf 1 2 0\n"), "a.obj:3: a face's v index is 0; there are 2 before it");
+    EXPECT_EQ(says("v 0 0 0\nv 1 0 0\nf 1 2 3\n"), "a.obj:3: a face's v index is 3; there are 2");
+    EXPECT_EQ(says("v 0 0 0\nv 1 0 0\nf 1 2 0\n"), "a.obj:3: a face's v index is 0; there are 2");
+    EXPECT_EQ(says("v 0 0 0\nf 1 -2 1\n"), "a.obj:2: a face's v index is -2; there are 1 before it");
+    EXPECT_EQ(says("surf 0 1 0 1 1\n"), "a.obj:1: the free-form element 'surf'; faces (f) are accepted");
+    EXPECT_EQ(says("v 0 0 \\\n0\n# C:\\\nv 1 x 0\n"), "a.obj:4: a coordinate of v is 'x'; a finite number is accepted");
+    EXPECT_EQ(says("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n"),
+              "a.obj:5: a face whose edges from corner to corner 1–2 and 3–4 cross or touch; faces without holes and "
+              "crossings are accepted");
     EXPECT_EQ(says("v 0 0 0\nv 1 0 0\nf 1 2\n"), "a.obj:3: a face of 2 corners; 3 or more are accepted");
-    EXPECT_EQ(says("v 0 0 0\nf 1/1 1/1 1/1\n"), "a.obj:2: a face's vt index is 1; there are 0 before it");
+    EXPECT_EQ(says("v 0 0 0\nf 1/1 1/1 1/1\n"), "a.obj:2: a face's vt index is 1; there are 0");
     EXPECT_EQ(says("v 0 1e99 0\n"), "a.obj:1: a coordinate of v is '1e99'; a finite number is accepted");
     EXPECT_EQ(says("v 0 0 0\n"), "a.obj:2: no faces");
     EXPECT_EQ(message([&] { return read_obj(path_ / "b.obj"); }), "b.obj: cannot be read: there is no such file");
@@ -111,6 +117,10 @@ TEST_F(Meshes, PlyErrorsNamePlaceAndValue) {
     EXPECT_EQ(says("ply\nformat ascii 1.0\n" + header + "0 0 0 9\n1 2 x 9\n"),
               "a.ply:12: z is 'x'; a finite number is accepted");
     EXPECT_EQ(says("ply\nformat ascii 1.0\n" + header + "0 0 0 9\n").substr(0, 8), "a.ply:12");
+    EXPECT_EQ(says("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+                   "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0\n"),
+              "a.ply: no faces: it has 1 vertex of x y z, 1 tristrips of list vertex_indices; accepted is the element "
+              "'face' with the list vertex_indices or vertex_index");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/file.h"
+#include "scenes/description/polygon.h"
 #include "scenes/description/text_cursor.h"
 
 namespace plumb {
@@ -224,12 +225,53 @@ void read_faces(Values& values, const Element& element, std::uint64_t vertices, 
                     }
                     corners.push_back(static_cast<std::uint32_t>(index));
                 }
-                for (std::size_t c = 2; c < corners.size(); ++c)
-                    mesh.triangles.push_back({corners[0], corners[c - 1], corners[c]});
+                if (const std::string wrong = add_polygon(mesh, corners); !wrong.empty()) throw values.error(wrong);
             }
         }
         values.finish();
     }
+}
+
+void skip_elements(Values& values, const Element& element) {
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+        values.start(element, i);
+        for (const Property& property : element.properties) {
+            if (property.count_type)
+                skip_list(values, property);
+            else
+                values.next(property.type, property.name);
+        }
+        values.finish();
+    }
+}
+
+/// The elements with their properties, as a header has them.
+std::string described(const Header& header) {
+    std::string text;
+    for (const Element& element : header.elements) {
+        text += fmt::format("{}{} {} of", text.empty() ? "" : ", ", element.count, element.name);
+        for (const Property& property : element.properties)
+            text += (property.count_type ? " list " : " ") + property.name;
+    }
+    return text;
+}
+
+Mesh read_elements(const Header& header, Values values, const Element& vertex) {
+    Mesh mesh;
+    std::optional<Values> before_vertices;
+    const Element* faces = nullptr;
+    for (const Element& element : header.elements) {
+        if (element.name == "vertex") {
+            read_vertices(values, element, mesh);
+        } else if (element.name == "face" && mesh.positions.size() == vertex.count) {
+            read_faces(values, element, vertex.count, mesh);
+        } else {
+            if (element.name == "face") before_vertices.emplace(values), faces = &element;
+            skip_elements(values, element);
+        }
+    }
+    if (before_vertices) read_faces(*before_vertices, *faces, vertex.count, mesh);
+    return mesh;
 }
 
 }  // namespace
@@ -238,8 +280,6 @@ Mesh read_ply(const std::filesystem::path& file) {
     const std::string text = read_file(file), name = file.string();
     TextCursor cursor(text, name);
     const Header header = read_header(cursor);
-    Values values(text, name, cursor, header.format);
-    Mesh mesh;
     const auto vertex = std::ranges::find(header.elements, "vertex", &Element::name);
     if (vertex == header.elements.end()) throw cursor.error("PLY header without the element 'vertex'");
     for (const Element& element : header.elements) {
@@ -247,24 +287,13 @@ Mesh read_ply(const std::filesystem::path& file) {
         if (element.count > text.size())
             throw cursor.error(
                 fmt::format("{} {} elements in a file of {} bytes", element.count, element.name, text.size()));
-        if (element.name == "vertex") {
-            read_vertices(values, element, mesh);
-        } else if (element.name == "face") {
-            read_faces(values, element, vertex->count, mesh);
-        } else {
-            for (std::uint64_t i = 0; i < element.count; ++i) {
-                values.start(element, i);
-                for (const Property& property : element.properties) {
-                    if (property.count_type)
-                        skip_list(values, property);
-                    else
-                        values.next(property.type, property.name);
-                }
-                values.finish();
-            }
-        }
     }
-    if (mesh.triangles.empty()) throw Error(name + ": no faces");
+    Mesh mesh = read_elements(header, Values(text, name, cursor, header.format), *vertex);
+    if (mesh.triangles.empty())
+        throw Error(
+            fmt::format("{}: no faces: it has {}; accepted is the element 'face' with the list vertex_indices "
+                        "or vertex_index",
+                        name, described(header)));
     return mesh;
 }
 

@@ -9,21 +9,36 @@
 
 namespace plumb {
 
-/// A walk through a text of lines and words without copying, for formats of 10^7 numbers.
+/// Whether a backslash at a line's end joins it to the next; not within a comment, which may end with a path.
+enum class Continuation { none, backslash };
+
+/// A walk through a text of lines and words without copying, for formats of 10^7 numbers. Lines end with LF, CR LF or
+/// CR; a mark of the text's encoding (UTF-8) at its start is skipped.
 class TextCursor {
 public:
-    TextCursor(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
+    TextCursor(std::string_view text, std::string file, Continuation continuation = Continuation::none)
+        : text_(text), file_(std::move(file)), joins_(continuation == Continuation::backslash) {
+        if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+    }
 
     [[nodiscard]] bool at_end() const { return at_ >= text_.size(); }
     [[nodiscard]] std::size_t offset() const { return at_; }
 
     /// Skips blanks in the line; true where nothing but a comment is left of it.
     bool line_done() {
-        while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\r')) ++at_;
-        return at_ >= text_.size() || text_[at_] == '\n' || text_[at_] == '#';
+        for (;; ++at_) {
+            while (at_ < text_.size() && is_blank(at_)) ++at_;
+            if (!(joins_ && joined(at_))) break;
+            skip_joint();
+        }
+        return at_ >= text_.size() || ends_line(at_) || text_[at_] == '#';
     }
     void next_line() {
-        while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+        bool comment = false;
+        for (; at_ < text_.size() && !ends_line(at_); ++at_) {
+            comment = comment || text_[at_] == '#';
+            if (joins_ && !comment && joined(at_)) skip_joint();
+        }
         if (at_ < text_.size()) ++at_;
         ++line_;
     }
@@ -31,7 +46,7 @@ public:
     std::string_view word() {
         if (line_done()) return {};
         const std::size_t first = at_;
-        while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) > ' ') ++at_;
+        while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) > ' ' && !(joins_ && joined(at_))) ++at_;
         return text_.substr(first, at_ - first);
     }
     /// The next word as a finite number; `what` names it in errors.
@@ -60,6 +75,24 @@ public:
     }
 
 private:
+    [[nodiscard]] bool ends_line(std::size_t at) const {
+        return text_[at] == '\n' || (text_[at] == '\r' && (at + 1 == text_.size() || text_[at + 1] != '\n'));
+    }
+    [[nodiscard]] bool is_blank(std::size_t at) const {
+        return text_[at] == ' ' || text_[at] == '\t' || (text_[at] == '\r' && !ends_line(at));
+    }
+    /// Whether a backslash that joins two lines stands there.
+    [[nodiscard]] bool joined(std::size_t at) const {
+        if (at + 1 >= text_.size() || text_[at] != '\\') return false;
+        return ends_line(at + 1) || text_[at + 1] == '\r';
+    }
+    /// Goes from the backslash to the last character of its line's end.
+    void skip_joint() {
+        ++at_;
+        if (!ends_line(at_)) ++at_;
+        ++line_;
+    }
+
     static double as_double(std::string_view word) {
         double value = 0;
         const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -68,6 +101,7 @@ private:
 
     std::string_view text_;
     std::string file_;
+    bool joins_;
     std::size_t at_ = 0;
     int line_ = 1;
 };
