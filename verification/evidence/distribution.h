@@ -23,6 +23,7 @@ struct DistributionClaim {
 
 /// Does draw fall into the cells with these probabilities? Pearson's chi-square at the sample count that makes
 /// `undecided` though true rarer than 1e-5; `holds` by the noncentral chi-square. docs/statistics.md, "Distributions".
+/// Undecided where the draws have a memory (Independence) or the counts are more even than chance.
 /// Throws Error when 2^32 samples would not do: a cell so rare belongs to a neighbour.
 Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, const Run& run);
 

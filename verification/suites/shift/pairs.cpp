@@ -64,7 +64,12 @@ Verdict exchanges(const Exchange& exchange, double delta, const Run& run) {
         }
         return sum / paths;
     };
-    return mean_is(draw, {.reference = 0, .delta = delta, .epsilon = 1e-3 * delta}, run);
+    return mean_is(draw,
+                   {.reference = 0,
+                    .delta = delta,
+                    .epsilon = 1e-3 * delta,
+                    .why_fewer = "sixteen pairs of paths a draw, of which none is rare"},
+                   run);
 }
 
 // ---- Jacobians with a defect
