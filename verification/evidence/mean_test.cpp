@@ -102,8 +102,9 @@ TEST(MeanIs, JudgesValuesOfAnySize) {  // squares under- and overflow from 1e-16
     for (const double unit : {5e-324 * 1e6, 1e-310, 1e-200, 1.0, 1e200, 1e300}) {
         const auto scaled = [unit](RandomStream& random) { return unit * random.uniform(); };
         for (const Interval& bounds : {Interval{0, unit}, Interval{}}) {
-            const MeanClaim right{.reference = unit / 2, .delta = unit / 50, .bounds = bounds};
-            const MeanClaim wrong{.reference = 0.54 * unit, .delta = unit / 50, .bounds = bounds};
+            const MeanClaim right{.reference = unit / 2, .delta = unit / 50, .bounds = bounds, .why_fewer = "uniform"};
+            const MeanClaim wrong{
+                .reference = 0.54 * unit, .delta = unit / 50, .bounds = bounds, .why_fewer = "uniform"};
             EXPECT_EQ(mean_is(scaled, right, run).outcome, Outcome::holds) << unit;
             EXPECT_EQ(mean_is(scaled, wrong, run).outcome, Outcome::refuted) << unit;
         }
@@ -117,7 +118,11 @@ TEST(MeanIs, ForgetsWhatItBelievedBeforeItSawTheSpikes) {
         const auto spiking = [](RandomStream& random) {
             return random.uniform() + (random.uniform() < 0.02 ? 4 * (1 + random.uniform()) : 0);
         };
-        const MeanClaim claim{.reference = 0.62, .delta = 0.09, .min_samples = 800, .cap = 1 << 17};
+        const MeanClaim claim{.reference = 0.62,
+                              .delta = 0.09,
+                              .min_samples = 800,
+                              .why_fewer = "one value in fifty spikes",
+                              .cap = 1 << 17};
         EXPECT_NE(mean_is(spiking, claim, one).outcome, Outcome::refuted) << i;
     }
 }
@@ -130,7 +135,8 @@ TEST(MeanIs, ForfeitsWhatItWonBeforeASpikeRuinedIt) {
     };
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         const Verdict verdict =
-            mean_is(rays, {.reference = 0, .delta = 0.05, .min_samples = 8192}, plumb::Run(seed, "rays", 1e-6));
+            mean_is(rays, {.reference = 0, .delta = 0.05, .min_samples = 8192, .why_fewer = "one ray in 250 arrives"},
+                    plumb::Run(seed, "rays", 1e-6));
         EXPECT_EQ(verdict.outcome, Outcome::holds) << seed << ": " << verdict.reason;
     }
 }
