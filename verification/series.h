@@ -18,14 +18,17 @@ struct ConvergencePoint {
     double mse = 0;           ///< about the known value
     Interval mse_interval{};  ///< 95 %
     double bias = 0, bias_standard_error = 0;
-    double log_mse_error = 0;  ///< standard error of log(mse), NaN where mse is not positive
+    double log_mse_error = 0;                           ///< standard error of log(mse), NaN where mse is not positive
+    double log_mse_skewness = 0, log_mse_kurtosis = 0;  ///< as of a LogMean; 0 where they are not known
 };
 
 /// The slope of log MSE on log n, with its error.
 struct Slope {
     double value = std::numeric_limits<double>::quiet_NaN();
     double standard_error = std::numeric_limits<double>::quiet_NaN();
-    Interval interval{};  ///< 95 %
+    Interval interval{};  ///< 95 %; unbounded where the points leave none
+    /// Why the interval is missing or a slope says little: heavy tails, no power law. A sentence, or empty.
+    std::string doubt = {};
 };
 
 /// Error against work for one estimator on one integrand, with the slope of log MSE on log n.

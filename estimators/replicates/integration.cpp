@@ -45,7 +45,8 @@ Search search_sample_count(const IndependentRun& run, const ErrorTarget& target,
     for (std::uint64_t n = 16;; n *= 2) {
         search.looks.push_back(independent_runs(run, n, replicates, seed, "look"));
         const Estimate seen = mean_of(search.looks.back());
-        search.met = seen.standard_error <= margin * target.absolute(seen.value) && !skewed(search.looks.back());
+        search.met = seen.evaluations >= least_evaluations &&
+                     seen.standard_error <= margin * target.absolute(seen.value) && !skewed(search.looks.back());
         spent += seen.evaluations;
         if (search.met || spent + 4 * seen.evaluations > max_evaluations) return search;
     }

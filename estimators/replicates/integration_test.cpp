@@ -85,6 +85,22 @@ TEST(SearchSampleCount, StopsWhereTheTargetNeedsIt) {
     EXPECT_LE(mean_of(relative.looks.back()).standard_error, 1e-3);
 }
 
+// Half of the integral lies in a needle of 1e-4, which most looks of few evaluations miss.
+TEST(SearchSampleCount, DoesNotStopBeforeItMetANeedle) {
+    const auto needle = [](std::uint64_t n, RandomStream& random) {
+        Estimate estimate{.evaluations = n};
+        for (std::uint64_t i = 0; i < n; ++i) {
+            const double x = random.uniform();
+            estimate.value += (x + (std::abs(x - 0.7) < 5e-5 ? 5000 : 0)) / static_cast<double>(n);
+        }
+        return estimate;
+    };
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        const Search search = search_sample_count(needle, {0.01, true}, 32, 2'000'000, seed);
+        EXPECT_FALSE(search.met) << search.looks.back().n;
+    }
+}
+
 TEST(SearchSampleCount, KeepsToItsBudgetWithTheAnswer) {
     const Search search = search_sample_count(mean_of_uniforms, {1e-9, false}, 16, 100'000, 3);
     EXPECT_FALSE(search.met);

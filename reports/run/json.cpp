@@ -84,7 +84,8 @@ Json to(const Slope& slope) {
     return {{"value", number(slope.value)},
             {"low", number(slope.interval.low)},
             {"high", number(slope.interval.high)},
-            {"standard_error", number(slope.standard_error)}};
+            {"standard_error", number(slope.standard_error)},
+            {"doubt", slope.doubt}};
 }
 
 Json to(const ConvergencePoint& p) {
@@ -125,7 +126,8 @@ Series series_of(const Json& json) {
                             .bias_standard_error = number_from(p.at("bias_standard_error")),
                             .log_mse_error = number_from(p.at("log_mse_error"))});
     const Json& slope = json.at("slope");
-    s.slope = {number_from(slope.at("value")), number_from(slope.at("standard_error")), interval_from(slope)};
+    s.slope = {number_from(slope.at("value")), number_from(slope.at("standard_error")), interval_from(slope),
+               slope.value("doubt", "")};
     if (!json.at("expected_slope").is_null()) s.expected_slope = interval_from(json.at("expected_slope"));
     return s;
 }

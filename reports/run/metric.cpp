@@ -106,7 +106,7 @@ double exponent(Metric metric, double of_mse) {
 }
 
 std::optional<bool> meets_expectation(const Series& series) {
-    if (!series.expected_slope || std::isnan(series.slope.value)) return {};
+    if (!series.expected_slope || std::isnan(series.slope.value) || !series.slope.doubt.empty()) return {};
     return !series.slope.interval.disjoint(*series.expected_slope);
 }
 

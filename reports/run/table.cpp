@@ -47,6 +47,7 @@ std::string seconds_text(double seconds) {
 
 /// Whether the fitted slope's interval meets the expected one, in words.
 std::string against_expectation(const Series& series) {
+    if (!series.slope.doubt.empty()) return series.slope.doubt;
     if (!series.expected_slope) return "nothing expected";
     return fmt::format("{} the expected {}", meets_expectation(series).value_or(true) ? "meets" : "outside",
                        expected_text(series));

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "estimators/estimator.h"
 #include "studies/own/integrate_samples.h"
+#include "verification/evidence/rare_values.h"
 
 namespace plumb::own {
 namespace {
@@ -64,8 +65,12 @@ Answer integrate(const UserIntegrand<D>& f, const IntegralTask& task, std::uint6
     for (const Runs& runs : sets) answer.all_evaluations += mean_of(runs).evaluations;
     if (task.error) {
         answer.target = task.error->absolute(answer.estimate.value);
-        answer.target_met = task.error->met_by(answer.estimate) && !skewed(sets.back());
+        const bool enough = answer.estimate.evaluations >= least_evaluations;
+        answer.target_met = enough && task.error->met_by(answer.estimate) && !skewed(sets.back());
         answer.known.push_back("n was chosen by looking; value and error are from fresh runs at that n");
+        if (!enough)
+            answer.known.push_back(fmt::format("an error is believed from {} evaluations on: see --max-evaluations",
+                                               with_commas(least_evaluations)));
     }
     if (skewed(sets.back()))
         answer.known.push_back("the runs are skewed, as with spikes or infinite variance: the error is too small");
@@ -75,6 +80,7 @@ Answer integrate(const UserIntegrand<D>& f, const IntegralTask& task, std::uint6
         answer.known.push_back("all runs gave the same value: no spread seen says nothing about the error");
     else if (!method.unbiased)
         answer.known.push_back("the method is biased: the error is its spread and leaves the bias out");
+    if (method.randomised) answer.known.push_back(what_could_hide(answer.estimate.evaluations));
     if (answer.exact || method.randomised) {
         answer.series = series_of(sets, answer);
         if (f.shipped && method.expected_slope) answer.series->expected_slope = method.expected_slope(*f.shipped);

@@ -58,14 +58,14 @@ std::size_t MeanTest::block_size() const {
     return moments_.count() < 1024 ? 16 : moments_.count() < 16384 ? 64 : largest_block;
 }
 
-double MeanTest::variance_guess() const {
+double MeanTest::variance_guess(std::uint64_t least_seen) const {
     const auto n = static_cast<double>(moments_.count());
     const double sum_of_squares = moments_.count() > 1 ? moments_.variance() * (n - 1) : 0;
     if (exact()) {  // one value in advance, as far out as the bounds allow: never zero
         const double half = setting_.bounds.width() / 2;
         return (sum_of_squares + half * half) / (n + 1);
     }
-    return moments_.count() < std::max(warm_up, setting_.min_samples) ? 0 : sum_of_squares / (n - 1);
+    return moments_.count() < least_seen ? 0 : sum_of_squares / (n - 1);
 }
 
 double MeanTest::lambda(const Bet& bet, double variance) const {
@@ -83,12 +83,14 @@ double MeanTest::lambda(const Bet& bet, double variance) const {
 // A value farther out than all before it may ruin a bet without bounds. What the bet had won while it could not know
 // better is then forfeited: else hundreds of values without a spike win more than any number of spikes takes back.
 void MeanTest::play(std::span<const double> block, const Interval& values) {
-    const double variance = variance_guess();
+    const double of_exact = variance_guess(warm_up),
+                 of_others = exact() ? 0 : variance_guess(std::max(warm_up, setting_.min_samples));
     const auto settle = [&](Bet& bet) {
-        const double slope = std::isfinite(bet.m) ? lambda(bet, variance) : 0;
+        const bool is_safe = is_exact(bet);
+        const double slope = std::isfinite(bet.m) ? lambda(bet, is_safe ? of_exact : of_others) : 0;
         if (slope == 0) return;
         bet.log_wealth += std::log(growth(slope, bet.m, block));
-        if (is_exact(bet)) return;
+        if (is_safe) return;
         const bool ruined = 1 + slope * ((slope > 0 ? values.low : values.high) - bet.m) < floor_of_factors;
         if (ruined) bet.log_wealth = std::min(bet.log_wealth, std::log(floor_of_factors));
     };
@@ -103,8 +105,10 @@ void MeanTest::record_maxima() {
     const bool calm = tails_allow_a_decision() && moments_.count() >= setting_.min_samples;
     // A mixture is worth at most its best bet, so most looks need no sum of exponentials.
     const double best = std::ranges::max_element(against_claim_, {}, &Bet::log_wealth)->log_wealth;
-    if (best > max_log_claim_ && (calm || exact_below_ || exact_above_))
-        max_log_claim_ = std::max(max_log_claim_, log_evidence(!calm));
+    if (best > max_log_exact_ && (exact_below_ || exact_above_))
+        max_log_exact_ = std::max(max_log_exact_, log_evidence(true));
+    if (best > max_log_claim_ && calm && !exact()) max_log_claim_ = std::max(max_log_claim_, log_evidence(false));
+    max_log_claim_ = std::max(max_log_claim_, max_log_exact_);
     if (calm || is_exact(against_large_)) max_log_large_ = std::max(max_log_large_, against_large_.log_wealth);
     if (calm || is_exact(against_small_)) max_log_small_ = std::max(max_log_small_, against_small_.log_wealth);
 }
@@ -119,8 +123,8 @@ MeanTest::Decision MeanTest::add(std::span<const double> block) {
     moments_.merge(Moments::of(block));
     if (!exact()) seen_ = {std::min(seen_.low, values.low), std::max(seen_.high, values.high)};
     record_maxima();
-    if (moments_.count() < setting_.min_samples) return Decision::none;
     if (max_log_claim_ >= -std::log(setting_.alpha)) return Decision::refuted;
+    if (moments_.count() < setting_.min_samples) return Decision::none;
     return excludes_large() && excludes_small() ? Decision::holds : Decision::none;
 }
 
@@ -130,6 +134,10 @@ bool MeanTest::excludes_large() const {
 
 bool MeanTest::excludes_small() const {
     return std::isinf(against_small_.m) || max_log_small_ >= -std::log(setting_.beta);
+}
+
+bool MeanTest::refuted_exactly() const {
+    return max_log_exact_ >= -std::log(setting_.alpha);
 }
 
 double MeanTest::p_value() const {

@@ -22,8 +22,8 @@ namespace plumb {
 ///
 /// An infinite end asks for nothing on its side. With bounds on the values, lambda is kept where every factor is at
 /// least 1/2, and the risks are exact. Without, a factor can only be kept positive by clamping: then looks count
-/// only while the sample's skewness allows a normal approximation. A bet that the mean is larger needs only a lower
-/// bound: for non-negative values "too large" and "not too small" are exact.
+/// only while the sample's skewness allows a normal approximation, and from min_samples on. A bet that the mean is
+/// larger needs only a lower bound: for non-negative values "too large" and "not too small" are exact, at any look.
 class MeanTest {
 public:
     struct Setting {
@@ -32,7 +32,7 @@ public:
         double delta;       ///< the deviation to look for first; sets the size of the bets
         Interval bounds;    ///< of one value; infinite where unknown
         double alpha, beta;
-        std::uint64_t min_samples;
+        std::uint64_t min_samples;  ///< before which nothing holds and no bet without bounds is made
     };
     enum class Decision { none, holds, refuted };
 
@@ -49,6 +49,8 @@ public:
     /// Logarithm of the e-process against the claim as it stands: its expectation under the claim is at most 1.
     [[nodiscard]] double log_evidence() const { return log_evidence(false); }
     [[nodiscard]] bool exact() const { return exact_below_ && exact_above_; }
+    /// Whether bets whose risks are exact refute the claim, those that rest on seen values left out.
+    [[nodiscard]] bool refuted_exactly() const;
     /// Whether the guard on skewness lets a look count that is not exact.
     [[nodiscard]] bool tails_allow_a_decision() const;
     /// A 1 − beta confidence sequence for the mean (normal mixture, asymptotic), for the report.
@@ -67,7 +69,7 @@ private:
     [[nodiscard]] bool excludes_large() const;
     [[nodiscard]] bool excludes_small() const;
     [[nodiscard]] double log_evidence(bool exact_bets_only) const;
-    [[nodiscard]] double variance_guess() const;
+    [[nodiscard]] double variance_guess(std::uint64_t least_seen) const;
     void play(std::span<const double> block, const Interval& values);
     void record_maxima();
     [[nodiscard]] double lambda(const Bet& bet, double variance) const;
@@ -79,6 +81,7 @@ private:
     std::vector<Bet> against_claim_;
     Bet against_large_, against_small_;
     double max_log_claim_ = 0, max_log_large_ = 0, max_log_small_ = 0;  ///< over the looks that count
+    double max_log_exact_ = 0;                                          ///< of exact bets against the claim
     double z_guard_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "core/estimate.h"
 #include "core/random.h"
+#include "verification/evidence/log_mean.h"
 #include "verification/run.h"
 #include "verification/series.h"
 
@@ -38,7 +39,25 @@ void set_mse(ConvergencePoint& point, double mse, double standard_error);
 /// about a wrong truth is larger by e² − 2e·bias, whose mean is v and whose variance, for normal e, is 2v² + 4v·bias².
 void subtract_variance_of_truth(ConvergencePoint& point, const Interval& variance);
 
-/// The weighted least-squares slope over the points with mse > 0; level is two-sided (0.95 for a 95 % interval).
+/// What of a point's log MSE a test needs.
+LogMean log_mse_of(const ConvergencePoint& point);
+
+/// Two sample counts between which the MSE falls otherwise than with an exponent of the interval.
+struct Misfit {
+    std::uint64_t n_first = 0, n_last = 0;
+    double exponent = 0;  ///< between the two
+    double excess = 0;    ///< by how much the drop of log MSE leaves what the interval allows
+    LogMean drop;
+};
+/// All pairs of points whose MSEs have errors, the worst in units of its error first.
+std::vector<Misfit> misfits(const std::vector<ConvergencePoint>& points, const Interval& exponents);
+
+/// The same slope as fit_slope's, with all that a test needs of it; NaN without two points.
+LogMean fitted_exponent(const std::vector<ConvergencePoint>& points);
+
+/// The weighted least-squares slope over the points with mse > 0; level is two-sided (0.95 for a 95 % interval). No
+/// interval and a doubt where a point's error is not known, exceeds 25 %, or is far from normal; a doubt where pairs
+/// of points leave slope ± 1/4 at a level of 1 %.
 Slope fit_slope(const std::vector<ConvergencePoint>& points, double level);
 
 }  // namespace plumb

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "verification/evidence/distributions.h"
+#include "verification/evidence/independence.h"
 
 namespace plumb {
 namespace {
@@ -44,6 +45,26 @@ double noncentrality_bound(double chi_square, const DistributionClaim& claim, do
     const double z = std::sqrt(1 + claim.delta / std::sqrt(rarest_cell(claim))) * normal_upper_quantile(beta);
     if (z > 6) return std::pow(std::sqrt(chi_square) + z, 2);
     return noncentrality_upper_bound(chi_square, positive_cells(claim) - 1, normal_two_sided_tail(z) / 2);
+}
+
+// Under the claim every set of counts has about the probability of a unit cube in the space of counts, and such a cube
+// reaches half its diagonal beyond its middle: P(X² ≤ x) is at most that of a ball so much larger. Counts on a grid of
+// their own (two cells: X² = 0 at every other n) are no evidence then.
+double evenness_p_value(double chi_square, double n, const DistributionClaim& claim) {
+    double diagonal = 0;
+    for (const double q : claim.probabilities)
+        if (q > 0) diagonal += 1 / (n * q);
+    const double radius = std::sqrt(chi_square) + std::sqrt(diagonal) / 2;
+    return chi_square_lower_tail(radius * radius, positive_cells(claim) - 1);
+}
+
+// Cells in the order of their numbers: what is near in the sample space is mostly near there.
+std::string memory_of(const DrawCell& draw, const std::vector<double>& first, const Run& run) {
+    const auto cell = [&](RandomStream& random) { return static_cast<double>(draw(random)); };
+    if (std::string state = complaint_of_state(cell, first, run); !state.empty()) return state;
+    Independence independence;
+    independence.add(first);
+    return independence.complaint();
 }
 
 }  // namespace
@@ -103,7 +124,12 @@ Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const Distribu
         {"degrees_of_freedom", freedom}, {"phi_upper_bound", phi_bound},
         {"delta", claim.delta},          {"worst_cell", static_cast<std::uint64_t>(worst_cell)},
         {"worst_cell_z", worst},         {"cells", static_cast<std::uint64_t>(claim.probabilities.size())}};
-    if (verdict.p_value < alpha) {
+    if (evenness_p_value(chi_square, n, claim) < std::min(alpha, 1e-6)) {
+        verdict.reason = fmt::format(
+            "draws are not independent: chi-square {:.3g} at {:g} degrees of freedom is more even than chance, as of a "
+            "stratified or quasi-random sequence",
+            chi_square, freedom);
+    } else if (verdict.p_value < alpha) {
         verdict.outcome = Outcome::refuted;
         verdict.reason =
             fmt::format("chi-square {:.4g} at {:g} degrees of freedom (p = {:.1e}); worst cell {}: {:+.1f} sigma",
@@ -132,18 +158,26 @@ Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, co
     const std::uint64_t batches = (n + batch - 1) / batch;
     const std::size_t cells = claim.probabilities.size();
     std::vector<std::vector<std::uint64_t>> partial(batches);
+    std::vector<double> first(std::min<std::uint64_t>(n, Independence::most_ranked));
     for_batches(batches, [&](std::size_t b) {
         std::vector<std::uint64_t> counts(cells + 1);  // the last: outside every cell
         for (std::uint64_t i = b * batch; i < std::min<std::uint64_t>((b + 1) * batch, n); ++i) {
             RandomStream random = run.random(i);
-            ++counts[std::min(draw(random), cells)];
+            const std::size_t cell = std::min(draw(random), cells);
+            ++counts[cell];
+            if (i < first.size()) first[i] = static_cast<double>(cell);
         }
         partial[b] = std::move(counts);
     });
     std::vector<std::uint64_t> counts(cells + 1);
     for (const auto& part : partial)
         for (std::size_t cell = 0; cell <= cells; ++cell) counts[cell] += part[cell];
-    return chi_square_verdict(counts, claim, run.alpha(), run.beta());
+    Verdict verdict = chi_square_verdict(counts, claim, run.alpha(), run.beta());
+    if (const std::string memory = memory_of(draw, first, run); !memory.empty() && counts.back() == 0) {
+        verdict.outcome = Outcome::undecided;
+        verdict.reason = memory;
+    }
+    return verdict;
 }
 
 }  // namespace plumb

@@ -24,7 +24,8 @@ struct DistributionClaim {
 
 /// The verdict on whether draws fall into the cells with these probabilities: Pearson's chi-square at the sample count
 /// that makes `undecided` though true rarer than 1e-5; `holds` by the noncentral chi-square. docs/statistics.md,
-/// "Distributions". Throws Error when 2^32 samples would not do: so rare a cell belongs to a neighbour.
+/// "Distributions". Undecided where the draws have a memory (Independence) or the counts are more even than chance.
+/// Throws Error when 2^32 samples would not do: so rare a cell belongs to a neighbour.
 Verdict distribution_is(const DrawCell& draw, const DistributionClaim& claim, const Run& run);
 
 /// The count that every cell must expect for the chi-square's tail to be within 1.3 times its level at alpha.

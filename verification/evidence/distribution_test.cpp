@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <memory>
 
 namespace plumb {
 namespace {
@@ -53,6 +55,21 @@ TEST(DistributionIs, MissingMassIsAMistakeOfTheClaim) {
 TEST(DistributionIs, ACellTooRareIsAnError) {
     const auto draw = [](RandomStream& random) { return random.below(2); };
     EXPECT_THROW((void)distribution_is(draw, {{0.5, 0.5 - 1e-12, 1e-12}, 0.1}, run), Error);
+}
+
+TEST(DistributionIs, AWalkIsNoSampler) {
+    const auto walk = [cell = std::make_shared<std::atomic<std::size_t>>(0)](RandomStream& random) {
+        return *cell = (*cell + random.below(2)) % 16;
+    };
+    const Verdict verdict = distribution_is(walk, equal_cells(16, 0.05), run);
+    EXPECT_EQ(verdict.outcome, Outcome::undecided);
+    EXPECT_THAT(verdict.reason, HasSubstr("draws are not independent"));
+}
+
+TEST(ChiSquareVerdict, MoreEvenThanChanceIsUndecided) {
+    const std::vector<std::uint64_t> even(64, 850), by_chance{1000, 1000};
+    EXPECT_THAT(chi_square_verdict(even, equal_cells(64, 0.05), 1e-6, 0.01).reason, HasSubstr("more even than chance"));
+    EXPECT_EQ(chi_square_verdict(by_chance, equal_cells(2, 0.3), 1e-6, 0.01).outcome, Outcome::holds);
 }
 
 TEST(DistributionSamples, GrowWithTheLevelAndWithRareCells) {

@@ -4,6 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <mutex>
+
+#include "verification/evidence/rare_values.h"
 
 namespace plumb {
 namespace {
@@ -99,8 +102,9 @@ TEST(MeanIs, JudgesValuesOfAnySize) {  // squares under- and overflow from 1e-16
     for (const double unit : {5e-324 * 1e6, 1e-310, 1e-200, 1.0, 1e200, 1e300}) {
         const auto scaled = [unit](RandomStream& random) { return unit * random.uniform(); };
         for (const Interval& bounds : {Interval{0, unit}, Interval{}}) {
-            const MeanClaim right{.reference = unit / 2, .delta = unit / 50, .bounds = bounds};
-            const MeanClaim wrong{.reference = 0.54 * unit, .delta = unit / 50, .bounds = bounds};
+            const MeanClaim right{.reference = unit / 2, .delta = unit / 50, .bounds = bounds, .why_fewer = "uniform"};
+            const MeanClaim wrong{
+                .reference = 0.54 * unit, .delta = unit / 50, .bounds = bounds, .why_fewer = "uniform"};
             EXPECT_EQ(mean_is(scaled, right, run).outcome, Outcome::holds) << unit;
             EXPECT_EQ(mean_is(scaled, wrong, run).outcome, Outcome::refuted) << unit;
         }
@@ -114,7 +118,11 @@ TEST(MeanIs, ForgetsWhatItBelievedBeforeItSawTheSpikes) {
         const auto spiking = [](RandomStream& random) {
             return random.uniform() + (random.uniform() < 0.02 ? 4 * (1 + random.uniform()) : 0);
         };
-        const MeanClaim claim{.reference = 0.62, .delta = 0.09, .min_samples = 800, .cap = 1 << 17};
+        const MeanClaim claim{.reference = 0.62,
+                              .delta = 0.09,
+                              .min_samples = 800,
+                              .why_fewer = "one value in fifty spikes",
+                              .cap = 1 << 17};
         EXPECT_NE(mean_is(spiking, claim, one).outcome, Outcome::refuted) << i;
     }
 }
@@ -127,9 +135,57 @@ TEST(MeanIs, ForfeitsWhatItWonBeforeASpikeRuinedIt) {
     };
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         const Verdict verdict =
-            mean_is(rays, {.reference = 0, .delta = 0.05, .min_samples = 8192}, plumb::Run(seed, "rays", 1e-6));
+            mean_is(rays, {.reference = 0, .delta = 0.05, .min_samples = 8192, .why_fewer = "one ray in 250 arrives"},
+                    plumb::Run(seed, "rays", 1e-6));
         EXPECT_EQ(verdict.outcome, Outcome::holds) << seed << ": " << verdict.reason;
     }
+}
+
+// Exponential, and 1000 more once in 10,000: half of the runs of 6000 values have no spike.
+TEST(MeanIs, IsNotRefutedBeforeItMetTheRare) {
+    const auto rare = [](RandomStream& random) {
+        return -std::log1p(-random.uniform()) + (random.uniform() < 1e-4 ? 1000 : 0);
+    };
+    for (std::uint64_t seed = 0; seed < 10; ++seed)
+        EXPECT_EQ(
+            mean_is(rare, {.reference = 1.1, .delta = 0.05, .cap = 1 << 17}, plumb::Run(seed, "rare", 1e-6)).outcome,
+            Outcome::undecided);
+}
+
+TEST(MeanIs, SaysWhatCouldHide) {
+    const MeanClaim claim{.reference = 0.5, .delta = 0.02}, off{.reference = 0.6, .delta = 0.02};
+    EXPECT_THAT(mean_is(uniform, claim, run).reason, HasSubstr("values rarer than 1 in 4,"));
+    const Verdict refuted = mean_is(uniform, off, run);
+    EXPECT_THAT(refuted.reason, HasSubstr("values rarer than 1 in 3"));
+    EXPECT_GT(refuted.samples, 9 * least_draws_without_bounds);
+    MeanClaim lowered = claim;
+    lowered.why_fewer = "between 0 and 1";
+    EXPECT_LT(mean_is(uniform, lowered, run).samples, 10'000u);
+    lowered = claim;
+    lowered.cap = 10'000;
+    EXPECT_THAT(mean_is(uniform, lowered, run).reason, HasSubstr("nothing is decided before 65,536 samples"));
+}
+
+TEST(MeanIs, RefutesExactlyWithoutWaiting) {  // too bright, by a lower bound alone
+    const MeanClaim claim{.reference = 0.4, .delta = 0.02, .bounds = {0, HUGE_VAL}};
+    const Verdict verdict = mean_is(uniform, claim, run);
+    EXPECT_EQ(verdict.outcome, Outcome::refuted);
+    EXPECT_LT(verdict.samples, 10'000u);
+}
+
+TEST(MeanIs, SeesAStateAndFewSeeds) {
+    double state = 0;
+    std::mutex one_at_a_time;
+    const auto walk = [&](RandomStream& random) {
+        const std::scoped_lock lock(one_at_a_time);
+        return state = 0.9 * state + random.uniform() - 0.5;
+    };
+    const Verdict verdict = mean_is(walk, {.reference = 0, .delta = 0.1}, run);
+    EXPECT_EQ(verdict.outcome, Outcome::undecided);
+    EXPECT_THAT(verdict.reason, HasSubstr("draws are not independent"));
+    const auto ten_bits = [](RandomStream& random) { return RandomStream(random.below(1024)).uniform(); };
+    const MeanClaim claim{.reference = 0.5, .delta = 0.005, .bounds = {0, 1}};
+    EXPECT_THAT(mean_is(ten_bits, claim, run).reason, HasSubstr("1,024 different values"));
 }
 
 TEST(MeanIs, SurvivesCancellationOfTwelveDigits) {

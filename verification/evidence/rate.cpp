@@ -8,13 +8,55 @@
 namespace plumb {
 namespace {
 
-// log(mse) is near normal only while the squares' mean is: beyond this error of one point, nothing is decided.
-constexpr double largest_log_error = 0.25;
-
-Interval slope_interval(const Slope& slope, double tail) {
-    const double half = normal_upper_quantile(tail / 2) * slope.standard_error;
-    return {slope.value - half, slope.value + half};
+Interval around(const LogMean& value, double tail) {
+    const double half = normal_upper_quantile(tail / 2) * value.standard_error;
+    return {value.value - half, value.value + half};
 }
+
+// A rate claim on its measured series: each question in turn, the sentence with it.
+struct RateTest {
+    const Series& series;
+    Interval exponents;
+    double alpha, beta;
+    std::vector<Misfit> pairs = misfits(series.points, exponents);
+    LogMean slope = fitted_exponent(series.points);
+
+    [[nodiscard]] std::string claimed() const {
+        return fmt::format("claimed {:.3g} … {:.3g}", exponents.low, exponents.high);
+    }
+    [[nodiscard]] double count() const { return static_cast<double>(pairs.size()); }
+
+    [[nodiscard]] std::string no_number() const {
+        const auto bad = std::ranges::find_if(series.points, [](const auto& p) { return !std::isfinite(p.mse); });
+        return bad == series.points.end() ? "" : fmt::format("the MSE at n = {} is {}", bad->n, bad->mse);
+    }
+    [[nodiscard]] std::string refutation() const {
+        if (around(slope, alpha / 2).disjoint(exponents) &&
+            slope.distortion(normal_upper_quantile(alpha / 4)) <= refutable_distortion)
+            return fmt::format("the MSE falls as n^{:.3f} ± {:.3f}; {}", slope.value, slope.standard_error, claimed());
+        const double z = normal_upper_quantile(alpha / 4 / count());
+        const auto off = std::ranges::find_if(
+            pairs, [&](const Misfit& pair) { return pair.excess > pair.drop.quantile(z) * pair.drop.standard_error; });
+        if (off == pairs.end()) return {};
+        const auto doublings = std::log(static_cast<double>(off->n_last) / static_cast<double>(off->n_first));
+        return fmt::format("no power law: from n = {} to {} the MSE goes as n^{:.3f} ± {:.3f}, overall as n^{:.3f}; {}",
+                           off->n_first, off->n_last, off->exponent, off->drop.standard_error / doublings, slope.value,
+                           claimed());
+    }
+    /// What keeps it from holding: a pair that leaves the claim at 1 % of all pairs, or might by more than the claim's
+    /// own half width makes over the whole range.
+    [[nodiscard]] std::string open_step() const {
+        const double z = normal_upper_quantile(beta / 2), z_of_all = normal_upper_quantile(beta / 2 / count());
+        const auto &first = series.points.front(), &last = series.points.back();
+        const double reach =
+            exponents.width() / 2 * std::log(static_cast<double>(last.n) / static_cast<double>(first.n));
+        for (const Misfit& pair : pairs)
+            if (pair.excess > std::min(z_of_all * pair.drop.standard_error, reach - z * pair.drop.standard_error))
+                return fmt::format("between n = {} and {} the MSE goes as n^{:.3f}: a step could hide; {}",
+                                   pair.n_first, pair.n_last, pair.exponent, claimed());
+        return {};
+    }
+};
 
 }  // namespace
 
@@ -22,12 +64,13 @@ Verdict rate_is(const Replicate& replicate, const ConvergenceSetting& setting, c
                 const Run& run) {
     Series series = measure_convergence(replicate, setting, run);
     series.expected_slope = exponents;
+    const RateTest test{series, exponents, run.alpha(), run.beta()};
     Verdict verdict;
     verdict.samples = setting.replicates * series.points.size();
     verdict.statistic = series.slope.value;
     const double middle = (exponents.low + exponents.high) / 2;
     verdict.resolution = exponents.width() / 2;
-    const Interval sharp = slope_interval(series.slope, run.beta()), wide = slope_interval(series.slope, run.alpha());
+    const Interval sharp = around(test.slope, run.beta());
     verdict.deviation = {sharp.low - middle, sharp.high - middle};
     // Two-sided p-value of the nearest slope that the claim allows.
     const double outside = std::max({exponents.low - series.slope.value, series.slope.value - exponents.high, 0.0});
@@ -36,26 +79,25 @@ Verdict rate_is(const Replicate& replicate, const ConvergenceSetting& setting, c
                         {"claimed_low", exponents.low},     {"claimed_high", exponents.high},
                         {"replicates", setting.replicates}, {"n_first", setting.n.front()},
                         {"n_last", setting.n.back()}};
-    const auto claimed = fmt::format("claimed {:.3g} … {:.3g}", exponents.low, exponents.high);
-    const bool reliable = std::ranges::all_of(
-        series.points, [](const ConvergencePoint& p) { return p.mse > 0 && p.log_mse_error <= largest_log_error; });
-    const auto no_number =
-        std::ranges::find_if(series.points, [](const ConvergencePoint& p) { return !std::isfinite(p.mse); });
-    if (no_number != series.points.end()) {
+    const bool zero = std::ranges::any_of(series.points, [](const ConvergencePoint& p) { return !(p.mse > 0); });
+    if (const std::string bad = test.no_number(); !bad.empty()) {
         verdict.outcome = Outcome::refuted;
-        verdict.reason = fmt::format("the MSE at n = {} is {}", no_number->n, no_number->mse);
-    } else if (!reliable)
-        verdict.reason = "an MSE is zero or its error exceeds 25 %: heavy tails, or too few replicates for a slope";
-    else if (wide.disjoint(exponents)) {
+        verdict.reason = bad;
+    } else if (zero || !sharp.bounded())
+        verdict.reason = zero ? "an MSE is zero" : series.slope.doubt;
+    else if (const std::string refutation = test.refutation(); !refutation.empty()) {
         verdict.outcome = Outcome::refuted;
-        verdict.reason = fmt::format("the MSE falls as n^{:.3f} ± {:.3f}; {}", series.slope.value,
-                                     series.slope.standard_error, claimed);
-    } else if (sharp.inside(exponents)) {
+        verdict.reason = refutation;
+    } else if (!sharp.inside(exponents))
+        verdict.reason =
+            fmt::format("99 % interval of the slope {:.3f} … {:.3f}; {}", sharp.low, sharp.high, test.claimed());
+    else if (const std::string step = test.open_step(); !step.empty())
+        verdict.reason = step;
+    else {
         verdict.outcome = Outcome::holds;
         verdict.reason = fmt::format("the MSE falls as n^{:.3f}, 99 % interval {:.3f} … {:.3f}; {}", series.slope.value,
-                                     sharp.low, sharp.high, claimed);
-    } else
-        verdict.reason = fmt::format("99 % interval of the slope {:.3f} … {:.3f}; {}", sharp.low, sharp.high, claimed);
+                                     sharp.low, sharp.high, test.claimed());
+    }
     verdict.series.push_back(std::move(series));
     return verdict;
 }

@@ -45,6 +45,16 @@ TEST(RateIs, RefutesValuesThatAreNotNumbers) {
     EXPECT_EQ(verdict.reason, "the MSE at n = 64 is nan");
 }
 
+// n^-2 until 64, then no more: n^-1.3 in all.
+TEST(RateIs, RefutesWhatIsNoPowerLaw) {
+    const auto stalled = [](std::uint64_t n, RandomStream& random) {
+        return linear_error(std::min<std::uint64_t>(n, 64), random);
+    };
+    const Verdict verdict = rate_is(stalled, setting(), {-1.7, -1.4}, run);
+    EXPECT_EQ(verdict.outcome, Outcome::refuted);
+    EXPECT_THAT(verdict.reason, testing::HasSubstr("no power law"));
+}
+
 TEST(RateIs, OneReplicateDecidesNothing) {
     ConvergenceSetting single = setting();
     single.replicates = 1;
@@ -58,6 +68,25 @@ TEST(MeasureConvergence, RecordsErrorBiasAndEvaluations) {
     EXPECT_EQ(first.evaluations, 16);
     EXPECT_TRUE(first.mse_interval.contains(1 / (12.0 * 16 * 16)));
     EXPECT_LT(std::abs(first.bias), 6 * first.bias_standard_error);
+}
+
+TEST(FitSlope, SaysWhatIsNoPowerLaw) {
+    const auto bent = [](std::uint64_t n, RandomStream& random) {
+        return linear_error(std::min<std::uint64_t>(n, 32), random);
+    };
+    EXPECT_EQ(measure_convergence(linear_error, setting(), run).slope.doubt, "");
+    EXPECT_THAT(measure_convergence(bent, setting(), run).slope.doubt, testing::HasSubstr("no power law"));
+}
+
+TEST(FitSlope, HasNoIntervalWhereTailsLeaveNone) {
+    const auto spikes = [](std::uint64_t n, RandomStream& random) {
+        return Estimate{random.uniform() < 1e-2 ? 1 / static_cast<double>(n) : 1e-6, 0, n};
+    };
+    ConvergenceSetting few = setting();
+    few.replicates = 100;
+    const Slope slope = measure_convergence(spikes, few, run).slope;
+    EXPECT_FALSE(slope.interval.bounded());
+    EXPECT_THAT(slope.doubt, testing::HasSubstr("undecided"));
 }
 
 TEST(FitSlope, IsExactOnAPowerLaw) {

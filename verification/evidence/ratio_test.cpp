@@ -37,7 +37,8 @@ TEST(RatioIs, RefutesValuesThatAreNotNumbers) {
 }
 
 TEST(RatioIs, OneReplicateDecidesNothing) {
-    EXPECT_EQ(ratio_is(uniform, uniform, {.ratio = {0.5, 2}, .replicates = 1}, run).outcome, Outcome::undecided);
+    const RatioClaim one{.ratio = {0.5, 2}, .replicates = 1, .why_fewer = "for a test"};
+    EXPECT_EQ(ratio_is(uniform, uniform, one, run).outcome, Outcome::undecided);
 }
 
 TEST(MseRatioIs, ComparesSeriesAtTheLastCount) {
@@ -53,6 +54,22 @@ TEST(MseRatioIs, ComparesSeriesAtTheLastCount) {
     EXPECT_EQ(mse_ratio_is(half, one, {0.2, 0.3}, run).outcome, Outcome::holds);
     EXPECT_EQ(mse_ratio_is(one, one, {0.2, 0.3}, run).outcome, Outcome::refuted);
     EXPECT_THROW(mse_ratio_is(one, other, {0.2, 0.3}, run), std::logic_error);
+}
+
+// Brighter by 30 once in 33,333: 10,000 values show a variance that is a quarter too small, three times in four.
+TEST(VarianceIs, IsNotRefutedByValuesThatLackTheRare) {
+    const double p = 3e-5, variance = 1.0 / 12 + 900 * p * (1 - p);
+    const auto rare = [p](RandomStream& random) { return random.uniform() + (random.uniform() < p ? 30 : 0); };
+    for (std::uint64_t seed = 0; seed < 10; ++seed)
+        EXPECT_EQ(variance_is(rare, variance, 0.1, 10000, plumb::Run(seed, "rare", 1e-6)).outcome, Outcome::undecided);
+}
+
+TEST(VarianceIs, SaysWhatItRestsOn) {
+    EXPECT_THAT(variance_is(uniform, 1.0 / 12, 0.1, 10000, run).reason,
+                testing::HasSubstr("values rarer than 1 in 4,096 could hide"));
+    const Verdict verdict = variance_is(uniform, 1.0 / 12, 0.1, 10000, run, "between 0 and 1");
+    EXPECT_EQ(verdict.samples, 10000u);
+    EXPECT_EQ(verdict.evidence.back(), Field("rests_on", "between 0 and 1"));
 }
 
 TEST(VarianceIs, FindsTheVarianceOverNAtNTwo) {

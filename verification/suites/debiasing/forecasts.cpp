@@ -56,7 +56,8 @@ Verdict forecasts_are_closed_forms(double first_index) {
 
 template <class Pmf>
 Verdict exp_single_variance(const Draw& draw, const Pmf& pmf, const Run& run) {
-    return variance_is(draw, forecast_single_term(exp_difference, nothing, one, pmf, 60).variance, 0.05, 120000, run);
+    return variance_is(draw, forecast_single_term(exp_difference, nothing, one, pmf, 60).variance, 0.05, 120000, run,
+                       "terms of 1/k! that come once in 2^k: those that matter come once in 100");
 }
 
 struct Forecast {
@@ -65,7 +66,8 @@ struct Forecast {
 };
 
 Verdict forecast_is_variance(const Forecast& forecast, const Run& run) {
-    return variance_is(forecast.draw, forecast.variance, 0.05, 60000, run);
+    return variance_is(forecast.draw, forecast.variance, 0.05, 60000, run,
+                       "terms of 1/k! that come once in 2^k: those that matter come once in 100");
 }
 
 double exp_sum_variance() {
@@ -120,7 +122,8 @@ void add_debiasing_forecasts(Catalogue& catalogue) {
         .source = "ours, verification/suites/debiasing/telescoping.cpp",
         .kind = Kind::ratio,
         .trial = {[](const Draw& draw, const Run& run) {
-                      return variance_is(draw, reciprocal_variance(), 0.05, 80000, run);
+                      return variance_is(draw, reciprocal_variance(), 0.05, 80000, run,
+                                         "products of about 0.4^k that survive with 0.55^k");
                   },
                   reciprocal,
                   {{"powers-of-one-sample", "All factors are the same sample.", reciprocal_from_powers}}},

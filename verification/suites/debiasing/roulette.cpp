@@ -70,7 +70,8 @@ Verdict roulette_mean(const Reweighting<double>& reweighting, const Run& run) {
 Verdict roulette_variance_is(const Reweighting<double>& reweighting, const Run& run) {
     const double e = std::exp(1);
     const double plain = (e * e - 1) / 2 - (e - 1) * (e - 1);
-    return variance_is(rouletted_exp(reweighting), roulette_variance(e - 1, plain, survival), 0.05, 30000, run);
+    return variance_is(rouletted_exp(reweighting), roulette_variance(e - 1, plain, survival), 0.05, 30000, run,
+                       "values between 0 and e over the survival probability");
 }
 
 /// The verdict on how often the integrand is evaluated in 10 trials.

@@ -59,6 +59,7 @@ Verdict is_known(const Scene& scene, const PathEstimator& estimator, const Known
                    {.reference = value,
                     .delta = delta,
                     .epsilon = allowed,
+                    .why_fewer = "lights in full sight of the paths of every draw",
                     .cap = constant ? std::uint64_t{256} : std::uint64_t{1} << 20,
                     .zero_variance = constant},
                    run);

@@ -127,7 +127,11 @@ Verdict agree(const View& view, const PathEstimator& mis, const Run& run) {
         RandomStream same = random;
         return luminance(weighted.draw(random)) - luminance(alone.draw(same));
     };
-    return mean_is(draw, {.reference = 0, .delta = run.pick(1.0, 0.25) * view.delta * pilot}, run);
+    return mean_is(draw,
+                   {.reference = 0,
+                    .delta = run.pick(1.0, 0.25) * view.delta * pilot,
+                    .why_fewer = "every light is met by some of a draw's paths"},
+                   run);
 }
 
 // ---- mutants
@@ -188,7 +192,11 @@ Verdict is_white(const PathEstimator& estimator, const Run& run) {
     const Scene scene(std::move(description));
     const Measurement measurement{.scene = scene, .estimator = estimator, .film = Point<2>{0.5, 0.5}, .n = 32};
     return mean_is([&](RandomStream& random) { return measurement.draw(random)[0]; },
-                   {.reference = 1, .delta = run.pick(0.01, 0.0025), .epsilon = 1e-9}, run);
+                   {.reference = 1,
+                    .delta = run.pick(0.01, 0.0025),
+                    .epsilon = 1e-9,
+                    .why_fewer = "one light in two, 32 paths a draw"},
+                   run);
 }
 
 void add_environment(Catalogue& catalogue) {

@@ -107,6 +107,7 @@ Verdict layer_is_spread(const Picture& picture, const Run& run) {
     return mean_is(draw,
                    {.delta = run.pick(0.15, 0.03),
                     .epsilon = 1e-9,
+                    .why_fewer = "pictures of a closed scene: every path brings light",
                     .cap = run.pick(std::uint64_t{1} << 17, std::uint64_t{1} << 20)},
                    run);
 }

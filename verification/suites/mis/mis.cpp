@@ -190,7 +190,8 @@ double predicted_balance_variance(const std::vector<std::uint64_t>& counts) {
 }
 
 Verdict balance_variance(const Draw& draw, const Run& run) {
-    return variance_is(draw, predicted_balance_variance(sample_counts), 0.05, 60000, run);
+    return variance_is(draw, predicted_balance_variance(sample_counts), 0.05, 60000, run,
+                       "weighted values between 0 and 24");
 }
 
 std::vector<double> for_other_counts(std::span<const double> n, std::span<const double> p) {

@@ -134,7 +134,7 @@ Verdict fitted_variance(std::size_t n, const Run& run) {
     const Draw draw = [n](RandomStream& random) {
         return control_variate_fitted<1>(exponential, identity, n, random).value;
     };
-    return variance_is(draw, best_variance / 256, 0.1, 10000, run);
+    return variance_is(draw, best_variance / 256, 0.1, 10000, run, "means of values between 1 and e");
 }
 
 // ---- the registered estimators on e^x and e^(x+y)
@@ -213,7 +213,8 @@ void add_control_variates(Catalogue& catalogue) {
         .source = "[Hammersley & Handscomb 1964, section 5.5]",
         .kind = Kind::ratio,
         .trial = {[](double beta, const Run& run) {
-                      return variance_is(controlled(beta, identity), best_variance, 0.05, 40000, run);
+                      return variance_is(controlled(beta, identity), best_variance, 0.05, 40000, run,
+                                         "values between 1 and 3");
                   },
                   best_beta,
                   {{"another-coefficient", "β is 5 % too small.", 0.95 * best_beta}}},

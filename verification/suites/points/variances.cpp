@@ -16,7 +16,7 @@ namespace {
 Verdict has_variance(const Generate<1>& generate, const Function<1>& f, std::uint64_t n, double variance,
                      double relative_delta, std::uint64_t replicates, const Run& run) {
     const auto draw = [&](RandomStream& random) { return mean_over<1>(generate(n, random), f).value; };
-    return variance_is(draw, variance, relative_delta, replicates, run);
+    return variance_is(draw, variance, relative_delta, replicates, run, "means of values between 0 and e");
 }
 
 /// The variance of the stratified mean of e^x: n^-2 times the sum over strata of length h of E e^2x − (E e^x)².
@@ -101,7 +101,8 @@ void add_multi_jittered(Catalogue& catalogue) {
     const auto check = [](const Generate<2>& generate, const Run& run) {
         const Function<2> f = [](const Point<2>& p) { return std::exp(p[0] + p[1]); };
         const auto draw = [&](RandomStream& random) { return mean_over<2>(generate(64, random), f).value; };
-        return variance_is(draw, multi_jittered_variance_of_exp(8), 0.15, 8000, run);
+        return variance_is(draw, multi_jittered_variance_of_exp(8), 0.15, 8000, run,
+                           "means of values between 1 and e²");
     };
     catalogue.add({
         .id = "points/cmj-2d/variance",

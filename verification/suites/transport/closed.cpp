@@ -47,6 +47,7 @@ Verdict lengths_are(const Sphere& sphere, const PathEstimator& estimator, const 
                                 {.reference = reference,
                                  .delta = run.pick(precision.quick, precision.full) * reference,
                                  .epsilon = 1e-5 * reference,
+                                 .why_fewer = "closed: every path goes on and brings light",
                                  .cap = precision.constant ? std::uint64_t{256} : cap(run),
                                  .zero_variance = precision.constant},
                                 run.part(fmt::format("{}", k), 1.0 / (longest - 1))));
@@ -66,7 +67,13 @@ Verdict picture_is(const Made& estimator, const Run& run) {
             for (int x = 0; x < 4; ++x) sum += rendered.film.mean(x, y, 0);
         return sum / 16;
     };
-    return mean_is(draw, {.reference = reference, .delta = 0.03 * reference, .epsilon = 2e-6, .cap = cap(run)}, run);
+    return mean_is(draw,
+                   {.reference = reference,
+                    .delta = 0.03 * reference,
+                    .epsilon = 2e-6,
+                    .why_fewer = "closed: every path goes on and brings light",
+                    .cap = cap(run)},
+                   run);
 }
 
 template <class E>

@@ -73,6 +73,7 @@ Verdict unbiased(const Subject& driver, const Run& run) {
                                 {.reference = reference,
                                  .delta = delta * reference,
                                  .epsilon = 1e-5 * reference,
+                                 .why_fewer = "closed: every path brings light",
                                  .cap = run.pick(std::uint64_t{1} << 16, std::uint64_t{1} << 20)},
                                 run.part(name, 0.5)));
     }
@@ -131,6 +132,7 @@ Verdict layer_is_spread(const Subject& driver, const Run& run) {
     return mean_is(draw,
                    {.delta = run.pick(0.15, 0.03),
                     .epsilon = 1e-9,
+                    .why_fewer = "closed: every path brings light",
                     .cap = run.pick(std::uint64_t{1} << 17, std::uint64_t{1} << 20)},
                    run);
 }

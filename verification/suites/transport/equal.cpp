@@ -40,10 +40,12 @@ Verdict same_mean(const Scene& scene, const FilmRegion& region, const PathEstima
         const double first = of_a.draw(random);
         return of_b.draw(random) - first;
     };
-    return mean_is(
-        draw,
-        {.delta = delta, .epsilon = 1e-5 * delta, .cap = run.pick(std::uint64_t{1} << 20, std::uint64_t{1} << 24)},
-        run);
+    return mean_is(draw,
+                   {.delta = delta,
+                    .epsilon = 1e-5 * delta,
+                    .why_fewer = "several paths in every pixel of the region, among them some of each kind",
+                    .cap = run.pick(std::uint64_t{1} << 20, std::uint64_t{1} << 24)},
+                   run);
 }
 
 // The whole film within 2 %, then each quarter within 10 % of its own light; in the full size 0.5 % and 3 %.

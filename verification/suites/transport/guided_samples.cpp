@@ -116,6 +116,7 @@ Verdict as_unguided(const Subject& subject, const PathEstimator& guided, const R
     return same_mean(plain, other,
                      {.delta = run.pick(1.0, 0.25) * subject.delta * subject.mean,
                       .epsilon = 1e-6 * subject.mean,
+                      .why_fewer = "sixteen paths in every pixel, drawn with densities bounded away from 0",
                       .cap = run.pick(std::uint64_t{1} << 17, std::uint64_t{1} << 21)},
                      run);
 }

@@ -113,6 +113,7 @@ Verdict as_usual(const Integrator& integrator, const Made& other, double share, 
     return same_mean(a, b,
                      {.delta = run.pick(0.01, 0.0025) * integrator.mean,
                       .epsilon = 1e-5 * integrator.mean,
+                      .why_fewer = "a path in every pixel of the film: each lamp is chosen by many",
                       .cap = run.pick(std::uint64_t{1} << 17, std::uint64_t{1} << 21)},
                      run.part("mean", share));
 }

@@ -100,6 +100,7 @@ Verdict mean_on_scene(const MeanOnScene& subject, const Run& run) {
                    {.reference = subject.reference,
                     .delta = subject.delta,
                     .epsilon = 1e-5 * subject.reference,
+                    .why_fewer = "sixteen paths in a scene that glows all over",
                     .cap = subject.constant ? std::uint64_t{256} : std::uint64_t{1} << 20,
                     .zero_variance = subject.constant},
                    run);

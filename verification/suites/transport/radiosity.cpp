@@ -53,6 +53,7 @@ Verdict is_radiosity(const RadiosityCase& subject, const RenderedPlates& rendere
                     {.reference = truth,
                      .delta = run.pick(5e-3, 1e-3) * truth,
                      .epsilon = (subject.error + 1e-6) * truth,
+                     .why_fewer = "sixteen paths between plates that see each other",
                      .cap = run.pick(std::uint64_t{1} << 19, std::uint64_t{1} << 23)},
                     run.part(fmt::format("point {}", parts.size()), 1 / static_cast<double>(subject.points.size()))));
         if (parts.back().outcome == Outcome::refuted) break;  // so is the whole

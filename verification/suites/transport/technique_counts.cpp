@@ -42,6 +42,7 @@ Verdict as_usual(Made (*by)(const Techniques&), const std::vector<Techniques>& a
         parts.push_back(same_mean(reference, other,
                                   {.delta = run.pick(0.02, 0.005) * mean,
                                    .epsilon = 1e-5 * mean,
+                                   .why_fewer = "all of the film, four paths a pixel",
                                    .cap = run.pick(std::uint64_t{1} << 17, std::uint64_t{1} << 21)},
                                   run.part(fmt::format("{}", parts.size()), 1 / static_cast<double>(all.size()))));
         if (parts.back().outcome == Outcome::refuted) break;
