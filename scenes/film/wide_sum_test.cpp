@@ -77,5 +77,26 @@ TEST(WideSum, IsInfiniteWithInfiniteTerms) {
     EXPECT_TRUE(std::isnan(sum_of({HUGE_VAL, -HUGE_VAL})));
 }
 
+TEST(ExactSumOfSquares, RoundsEachTermOnceToAMultipleOfItsResolution) {
+    RandomStream random(1, 2);
+    for (int exponent = -160; exponent <= 99; ++exponent)
+        for (const double sign : {1.0, -1.0}) {
+            const double x = sign * std::ldexp(0.5 + random.uniform() / 2, exponent);
+            ASSERT_TRUE(ExactSumOfSquares::accepts(x)) << x;
+            ExactSumOfSquares sum;
+            sum.add(x);
+            EXPECT_EQ(sum.value(), std::ldexp(std::nearbyint(std::ldexp(x, 128)), -128)) << x;
+        }
+    EXPECT_FALSE(ExactSumOfSquares::accepts(0x1p101));
+}
+
+TEST(ExactSumOfSquares, KeepsWhatIsSmallBesideWhatIsLarge) {
+    ExactSumOfSquares sum;
+    sum.add(0x1p99);
+    sum.add(0x1p-128);
+    sum.add(-0x1p99);
+    EXPECT_EQ(sum.value(), 0x1p-128);
+}
+
 }  // namespace
 }  // namespace plumb
