@@ -1,5 +1,7 @@
 #include "scenes/scene.h"
 
+#include "scenes/geometry/wide_triangles.h"
+
 namespace plumb {
 
 namespace {
@@ -11,10 +13,15 @@ std::vector<Spectrum> powers_of(const std::vector<Light>& lights, double scene_r
     return powers;
 }
 
+description::Scene with_wide_triangles_in_doubles(description::Scene description) {
+    meet_wide_triangles_in_doubles(description.shapes);
+    return description;
+}
+
 }  // namespace
 
 Scene::Scene(description::Scene description, MakeChooser choose)
-    : description_(std::move(description)),
+    : description_(with_wide_triangles_in_doubles(std::move(description))),
       ball_(ball_around(description_.shapes)),
       embree_(description_.shapes),
       materials_(description_.materials, description_.textures),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct Mesh {
     std::vector<std::array<float, 3>> normals;  ///< unit shading normals, one a vertex, or empty
     std::vector<std::array<float, 2>> uvs;      ///< one a vertex, or empty; v grows downwards in a bitmap
     std::vector<std::array<std::uint32_t, 3>> triangles;
+    /// The largest margin with which rays may meet and leave a triangle in floats (Facet); they meet any other in
+    /// doubles. A scene sets it, by the smallest of its things (scenes/geometry/wide_triangles.h).
+    double largest_margin = HUGE_VAL;
 
     [[nodiscard]] Vec3 position(std::uint32_t vertex) const {
         const auto& p = positions[vertex];

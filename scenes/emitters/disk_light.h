@@ -18,7 +18,7 @@ public:
     [[nodiscard]] double area() const { return pi * radius_ * radius_; }
     [[nodiscard]] SurfacePoint at(const Point<2>& u) const {
         const Point<2> p = sample_concentric_disk(u);
-        return disk_point(centre_ + frame_.to_world({radius_ * p[0], radius_ * p[1], 0}), frame_.z);
+        return disk_point(centre_ + frame_.to_world({radius_ * p[0], radius_ * p[1], 0}), frame_.z, radius_);
     }
     [[nodiscard]] std::optional<PlaneHit> meet(Vec3 from, Vec3 direction) const {
         const auto plane = meet_plane(from, direction, centre_, frame_.z);

@@ -47,8 +47,8 @@ std::vector<Triangle> triangles_of(const Mesh& mesh) {
     return triangles;
 }
 
-MeshSurface::MeshSurface(std::vector<Triangle> triangles)
-    : triangles_(std::move(triangles)), choice_(areas(triangles_)) {
+MeshSurface::MeshSurface(std::vector<Triangle> triangles, double largest_margin)
+    : triangles_(std::move(triangles)), choice_(areas(triangles_)), largest_margin_(largest_margin) {
     for (const double area : areas(triangles_)) area_ += area;
 }
 
@@ -62,7 +62,7 @@ TrianglePlace MeshSurface::place(const Point<2>& u) const {
 SurfacePoint MeshSurface::at(const Point<2>& u) const {
     const auto [i, b1, b2] = place(u);
     const auto& [a, b, c] = triangles_[i];
-    return triangle_point(Facet({a, b, c}), b1, b2);
+    return triangle_point(Facet({a, b, c}, largest_margin_), b1, b2);
 }
 
 std::optional<PlaneHit> MeshSurface::meet(Vec3 from, Vec3 direction) const {

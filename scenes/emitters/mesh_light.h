@@ -23,8 +23,9 @@ struct TrianglePlace {
 /// A surface of triangles, seen from one side.
 class MeshSurface {
 public:
-    /// Throws Error unless the area is positive and finite.
-    explicit MeshSurface(std::vector<Triangle> triangles);
+    /// `largest_margin` is that of the mesh whose triangles these are. Throws Error unless the area is positive and
+    /// finite.
+    explicit MeshSurface(std::vector<Triangle> triangles, double largest_margin = HUGE_VAL);
 
     [[nodiscard]] double area() const { return area_; }
     [[nodiscard]] TrianglePlace place(const Point<2>& u) const;
@@ -36,15 +37,17 @@ public:
 private:
     std::vector<Triangle> triangles_;
     PiecewiseConstant choice_;
-    double area_ = 0;
+    double area_ = 0, largest_margin_;
 };
 
 /// A light of triangles that shine to one side.
 class MeshLight : public AreaLight<MeshSurface> {
 public:
-    MeshLight(std::vector<Triangle> triangles, const Spectrum& radiance)
-        : AreaLight(MeshSurface(std::move(triangles)), radiance) {}
-    static MeshLight of(const Mesh& mesh, const Spectrum& radiance) { return {triangles_of(mesh), radiance}; }
+    MeshLight(std::vector<Triangle> triangles, const Spectrum& radiance, double largest_margin = HUGE_VAL)
+        : AreaLight(MeshSurface(std::move(triangles), largest_margin), radiance) {}
+    static MeshLight of(const Mesh& mesh, const Spectrum& radiance) {
+        return {triangles_of(mesh), radiance, mesh.largest_margin};
+    }
 };
 static_assert(LightModel<MeshLight>);
 

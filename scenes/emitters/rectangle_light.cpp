@@ -15,7 +15,7 @@ std::optional<RectangleLight> RectangleLight::of(const Mesh& mesh, const Spectru
     for (int i = 0; i < 3; ++i, std::ranges::rotate(one, one.begin() + 1))
         for (int j = 0; j < 3; ++j, std::ranges::rotate(two, two.begin() + 1))
             if (one[0] == two[0] && one[2] == two[1] && one[0] + one[2] == one[1] + two[2])
-                return RectangleLight(one[0], one[1] - one[0], two[2] - one[0], radiance);
+                return RectangleLight(one[0], one[1] - one[0], two[2] - one[0], radiance, mesh.largest_margin);
     return {};
 }
 

@@ -9,12 +9,12 @@ namespace plumb {
 /// A rectangle or parallelogram corner + s·edge_1 + t·edge_2, s and t in [0,1], seen from the side of edge_1 × edge_2.
 class RectangleSurface {
 public:
-    RectangleSurface(Vec3 corner, Vec3 edge_1, Vec3 edge_2)
+    RectangleSurface(Vec3 corner, Vec3 edge_1, Vec3 edge_2, double largest_margin)
         : corner_(corner),
           edge_1_(edge_1),
           edge_2_(edge_2),
-          halves_{Facet({corner, corner + edge_1, corner + edge_1 + edge_2}),
-                  Facet({corner, corner + edge_1 + edge_2, corner + edge_2})} {
+          halves_{Facet({corner, corner + edge_1, corner + edge_1 + edge_2}, largest_margin),
+                  Facet({corner, corner + edge_1 + edge_2, corner + edge_2}, largest_margin)} {
         const Vec3 product = cross(edge_1, edge_2);
         area_ = length(product);
         if (!(area_ > 0 && std::isfinite(area_)))
@@ -45,8 +45,9 @@ private:
 /// A rectangle or parallelogram that shines to the side of edge_1 × edge_2.
 class RectangleLight : public AreaLight<RectangleSurface> {
 public:
-    RectangleLight(Vec3 corner, Vec3 edge_1, Vec3 edge_2, const Spectrum& radiance)
-        : AreaLight({corner, edge_1, edge_2}, radiance) {}
+    /// `largest_margin` is that of the mesh that the rectangle is.
+    RectangleLight(Vec3 corner, Vec3 edge_1, Vec3 edge_2, const Spectrum& radiance, double largest_margin = HUGE_VAL)
+        : AreaLight({corner, edge_1, edge_2, largest_margin}, radiance) {}
     /// The light that a mesh of two triangles is where they are halves of one parallelogram; empty for any other mesh.
     static std::optional<RectangleLight> of(const Mesh& mesh, const Spectrum& radiance);
 };

@@ -1,5 +1,6 @@
 #include "scenes/geometry/disk.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plumb::description {
@@ -36,8 +37,10 @@ Hit Disk::hit(const Ray& ray, double t) const {
     const Vec3 met = ray.origin + ray.direction * t;
     const Vec3 position = met - normal * dot(met - center, normal);
     const auto [x, y] = disk_coordinates(*this, position - center);
-    return {
-        .t = t, .point = disk_point(position, normal), .shading_normal = normal, .uv = {std::hypot(x, y), turn(x, y)}};
+    return {.t = t,
+            .point = disk_point(position, normal, std::max(length(axis_x), length(axis_y))),
+            .shading_normal = normal,
+            .uv = {std::hypot(x, y), turn(x, y)}};
 }
 
 Box Disk::bounds() const {

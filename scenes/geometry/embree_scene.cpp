@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "scenes/geometry/wide_triangles.h"
 
 namespace plumb {
 
@@ -56,11 +57,37 @@ std::optional<double> intersect_analytic(const Shape& shape, const Ray& ray) {
     return ask_analytic<std::optional<double>>(shape, [&](const auto& it) { return it.intersect(ray); });
 }
 
-// Embree calls these for a shape that is not a mesh; the user pointer is the Shape. We trace single rays only (N = 1).
+/// The triangles of a mesh that rays meet in doubles; none of a shape that is no mesh.
+struct WideTriangles {
+    const Mesh* mesh = nullptr;
+    std::vector<std::uint32_t> numbers = {};
 
+    [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t i) const { return mesh->corners(numbers[i]); }
+};
+
+// Embree asks these of what it does not meet itself: the user pointer is a Shape that is no mesh, or WideTriangles. We
+// trace single rays only (N = 1).
+
+Box bounds_of(const Shape& shape, std::uint32_t) {
+    return bounds(shape.geometry);
+}
+Box bounds_of(const WideTriangles& triangles, std::uint32_t i) {
+    Box box;
+    for (const Vec3 corner : triangles.corners(i)) box.add(corner);
+    return box;
+}
+
+std::optional<double> distance_to(const Shape& shape, std::uint32_t, const Ray& ray) {
+    return intersect_analytic(shape, ray);
+}
+std::optional<double> distance_to(const WideTriangles& triangles, std::uint32_t i, const Ray& ray) {
+    const auto met = meet_triangle(triangles.corners(i), ray);
+    return met ? std::optional(met->t) : std::nullopt;
+}
+
+template <class Asked>
 void bounds_of_user(const RTCBoundsFunctionArguments* args) {
-    const Shape& shape = *static_cast<const Shape*>(args->geometryUserPtr);
-    const auto [low, high] = bounds(shape.geometry);
+    const auto [low, high] = bounds_of(*static_cast<const Asked*>(args->geometryUserPtr), args->primID);
     const auto down = [](double x) { return std::nextafter(static_cast<float>(x), -HUGE_VALF); };
     const auto up = [](double x) { return std::nextafter(static_cast<float>(x), HUGE_VALF); };
     RTCBounds& box = *args->bounds_o;
@@ -72,20 +99,33 @@ void bounds_of_user(const RTCBoundsFunctionArguments* args) {
     box.upper_z = up(high.z);
 }
 
+template <class Asked>
 void intersected(const RTCIntersectFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
     auto& ray_hit = *reinterpret_cast<RTCRayHit*>(args->rayhit);
-    const auto t = intersect_analytic(*static_cast<const Shape*>(args->geometryUserPtr), widened(ray_hit.ray));
+    const auto& asked = *static_cast<const Asked*>(args->geometryUserPtr);
+    const auto t = distance_to(asked, args->primID, widened(ray_hit.ray));
     if (!t) return;
     ray_hit.ray.tfar = static_cast<float>(*t);
     ray_hit.hit.geomID = args->geomID;
     ray_hit.hit.primID = args->primID;
 }
 
+template <class Asked>
 void occluding(const RTCOccludedFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
     auto& ray = *reinterpret_cast<RTCRay*>(args->ray);
-    if (intersect_analytic(*static_cast<const Shape*>(args->geometryUserPtr), widened(ray))) ray.tfar = -HUGE_VALF;
+    const auto& asked = *static_cast<const Asked*>(args->geometryUserPtr);
+    if (distance_to(asked, args->primID, widened(ray))) ray.tfar = -HUGE_VALF;
+}
+
+template <class Asked>
+void let_embree_ask(RTCGeometry geometry, const Asked& asked, std::size_t count) {
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(count));
+    rtcSetGeometryUserData(geometry, const_cast<Asked*>(&asked));
+    rtcSetGeometryBoundsFunction(geometry, bounds_of_user<Asked>, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, intersected<Asked>);
+    rtcSetGeometryOccludedFunction(geometry, occluding<Asked>);
 }
 
 void require_sound(const Mesh& mesh, const Shape& shape) {
@@ -107,20 +147,25 @@ void require_sound(const Mesh& mesh, const Shape& shape) {
     }
 }
 
-void fill(RTCGeometry geometry, const Mesh& mesh) {
+/// Gives Embree the triangles, without those that it is to ask for: they shrink to a corner, so that all keep their
+/// numbers.
+void fill(RTCGeometry geometry, const Mesh& mesh, const WideTriangles& asked_for) {
     void* const positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                     sizeof mesh.positions[0], mesh.positions.size());
     void* const triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                                     sizeof mesh.triangles[0], mesh.triangles.size());
     if (!positions || !triangles) return;  // the error callback has been told
     std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<std::array<float, 3>*>(positions));
-    std::copy(mesh.triangles.begin(), mesh.triangles.end(), static_cast<std::array<std::uint32_t, 3>*>(triangles));
+    auto* const indices = static_cast<std::array<std::uint32_t, 3>*>(triangles);
+    std::copy(mesh.triangles.begin(), mesh.triangles.end(), indices);
+    for (const std::uint32_t wide : asked_for.numbers) indices[wide].fill(indices[wide][0]);
 }
 
 }  // namespace
 
 struct EmbreeScene::State {
     std::span<const Shape> shapes;
+    std::vector<WideTriangles> wide;  // of each shape; Embree knows them by the shape's index + the number of shapes
     std::string error;
     std::unique_ptr<RTCDeviceTy, ReleaseDevice> device;
     std::unique_ptr<RTCSceneTy, ReleaseScene> scene;
@@ -128,25 +173,39 @@ struct EmbreeScene::State {
     void attach(std::uint32_t index) {
         const Shape& shape = shapes[index];
         const Mesh* const mesh = std::get_if<Mesh>(&shape.geometry);
-        if (mesh) require_sound(*mesh, shape);
-        RTCGeometry geometry = rtcNewGeometry(device.get(), mesh ? RTC_GEOMETRY_TYPE_TRIANGLE : RTC_GEOMETRY_TYPE_USER);
-        if (mesh) {
-            fill(geometry, *mesh);
-        } else {
-            rtcSetGeometryUserPrimitiveCount(geometry, 1);
-            rtcSetGeometryUserData(geometry, const_cast<Shape*>(&shape));
-            rtcSetGeometryBoundsFunction(geometry, bounds_of_user, nullptr);
-            rtcSetGeometryIntersectFunction(geometry, intersected);
-            rtcSetGeometryOccludedFunction(geometry, occluding);
+        if (!mesh) {
+            attach(index, RTC_GEOMETRY_TYPE_USER, [&](RTCGeometry geometry) { let_embree_ask(geometry, shape, 1); });
+            return;
         }
+        require_sound(*mesh, shape);
+        const WideTriangles& asked_for = wide[index] = {mesh, wide_triangles(*mesh)};
+        attach(index, RTC_GEOMETRY_TYPE_TRIANGLE, [&](RTCGeometry geometry) { fill(geometry, *mesh, asked_for); });
+        if (asked_for.numbers.empty()) return;
+        attach(index + static_cast<std::uint32_t>(shapes.size()), RTC_GEOMETRY_TYPE_USER,
+               [&](RTCGeometry geometry) { let_embree_ask(geometry, asked_for, asked_for.numbers.size()); });
+    }
+
+    void attach(std::uint32_t id, RTCGeometryType type, const auto& fill_in) {
+        RTCGeometry geometry = rtcNewGeometry(device.get(), type);
+        fill_in(geometry);
         rtcCommitGeometry(geometry);
-        rtcAttachGeometryByID(scene.get(), geometry, index);
+        rtcAttachGeometryByID(scene.get(), geometry, id);
         rtcReleaseGeometry(geometry);
+    }
+
+    // Sets the hit to where the ray met one of a mesh's wide triangles.
+    void set_wide_hit(Hit& hit, std::uint32_t shape, std::uint32_t number, const Ray& ray) const {
+        const WideTriangles& triangles = wide[shape];
+        const TriangleHit met = meet_triangle(triangles.corners(number), ray).value();
+        set_mesh_hit(hit, *triangles.mesh, triangles.numbers[number], met.u, met.v);
+        hit.t = met.t;
+        hit.shape = shape;
     }
 };
 
 EmbreeScene::EmbreeScene(std::span<const Shape> shapes) : state_(std::make_unique<State>()) {
     state_->shapes = shapes;
+    state_->wide.resize(shapes.size());
     // Pinned: Embree's instruction sets differ in last bits.
     state_->device.reset(rtcNewDevice("isa=avx2"));
     if (!state_->device)
@@ -173,8 +232,13 @@ std::optional<Hit> EmbreeScene::intersect(const Ray& ray) const {
     rtcIntersect1(state_->scene.get(), &context, &found);
     std::optional<Hit> hit;
     if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
-    const Shape& shape = state_->shapes[found.hit.geomID];
     hit.emplace();
+    if (found.hit.geomID >= state_->shapes.size()) {
+        const auto shape = static_cast<std::uint32_t>(found.hit.geomID - state_->shapes.size());
+        state_->set_wide_hit(*hit, shape, found.hit.primID, ray);
+        return hit;
+    }
+    const Shape& shape = state_->shapes[found.hit.geomID];
     if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry)) {
         set_mesh_hit(*hit, *mesh, found.hit.primID, found.hit.u, found.hit.v);
         hit->t = found.ray.tfar;

@@ -8,7 +8,8 @@
 
 namespace plumb {
 
-/// Visibility among shapes: triangles by Embree in robust mode, spheres and disks exactly in double for the given ray.
+/// Visibility among shapes: triangles by Embree in robust mode, spheres, disks and wide triangles
+/// (scenes/geometry/wide_triangles.h) in doubles, exactly for the given ray.
 /// Rays come from leave(), connect() or rounded_ray(), so that Embree sees the numbers from which the hit is computed.
 /// No other file calls Embree. Threads may trace at the same time; the same ray gives the same bits.
 class EmbreeScene {

@@ -22,7 +22,7 @@ void set_mesh_hit(Hit& hit, const Mesh& mesh, std::uint32_t triangle, double u, 
     const auto& [i, j, k] = mesh.triangles[triangle];
     hit.primitive = triangle;
     hit.barycentric = {u, v};
-    hit.point = triangle_point(Facet(mesh.corners(triangle)), u, v);
+    hit.point = triangle_point(Facet(mesh.corners(triangle), mesh.largest_margin), u, v);
     hit.shading_normal = hit.point.normal;
     if (!mesh.normals.empty()) {
         if (mesh.turned_by_normals(triangle)) hit.shading_normal = hit.point.normal = -hit.point.normal;

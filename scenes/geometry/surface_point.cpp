@@ -34,7 +34,7 @@ Vec3 float_rounding(Vec3 p) {
     return absolute(p) * (0x1p-24 * (1 + 0x1p-10)) + Vec3{0x1p-150, 0x1p-150, 0x1p-150};
 }
 
-Facet::Facet(const std::array<Vec3, 3>& corners) : vertices(corners) {
+Facet::Facet(const std::array<Vec3, 3>& corners, double largest_margin) : vertices(corners) {
     const auto& [a, b, c] = vertices;
     const Vec3 product = cross(b - a, c - a);
     twice_area = length(product);
@@ -42,8 +42,11 @@ Facet::Facet(const std::array<Vec3, 3>& corners) : vertices(corners) {
     sides_squared = {length_squared(c - b), length_squared(c - a), length_squared(b - a)};
     longest = std::sqrt(std::max({sides_squared[0], sides_squared[1], sides_squared[2]}));
     // Embree's normal is a cross product of edges in floats, wrong by a few 2^-24 longest²; a plane test multiplies it
-    // by a distance within the triangle.
-    margin = 0x1p-21 * longest * std::min(longest * longest / twice_area, 0x1p10);
+    // by a distance within the triangle. Doubles do the same with 2^-53, and what they compute lies 2^-52 longest off.
+    const double slenderness = longest * longest / twice_area;
+    margin = 0x1p-21 * longest * std::min(slenderness, 0x1p10);
+    wide = margin > largest_margin;
+    if (wide) margin = 0x1p-49 * longest * slenderness;
 }
 
 SurfacePoint triangle_point(const Facet& facet, double u, double v) {
@@ -75,8 +78,9 @@ SurfacePoint sphere_point(Vec3 center, double radius, Vec3 direction) {
     return {.position = position, .normal = direction, .inset = position, .margin = margin};
 }
 
-SurfacePoint disk_point(Vec3 position, Vec3 normal) {
-    return {.position = position, .normal = normal, .inset = position, .margin = 0x1p-46 * length(position)};
+SurfacePoint disk_point(Vec3 position, Vec3 normal, double radius) {
+    const double margin = 0x1p-46 * (length(position) + radius);
+    return {.position = position, .normal = normal, .inset = position, .margin = margin};
 }
 
 Vec3 ray_origin(const SurfacePoint& from, Vec3 direction, Vec3 extra) {

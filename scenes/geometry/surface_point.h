@@ -11,8 +11,9 @@ namespace plumb {
 // How a ray leaves a surface. Embree traces in single precision, so an origin is rounded to floats: by at most
 // r = 2^-24 |p| an axis. Three displacements, all from this bound and none from an epsilon, keep a rounded origin on
 // the side where it belongs:
-//   along the normal by dot(|n|, r), which undoes the worst rounding, and by `margin`, which bounds the error of
-//   Embree's plane test for an origin that near;
+//   along the normal by dot(|n|, r), which undoes the worst rounding, and by `margin`, which bounds the error of the
+//   plane test for an origin that near: Embree's, in floats, or ours, in doubles, for triangles that are wide beside
+//   what stands on them (scenes/geometry/wide_triangles.h);
 //   along a triangle, away from its edges by 2 |r|, so that rounding does not carry the origin through a neighbour that
 //   meets it at an edge, at 53° or more (a triangle too small for that is left from the centre of its inscribed
 //   circle).
@@ -37,16 +38,18 @@ struct Facet {
     double twice_area, longest;           ///< longest: its longest side
     std::array<double, 3> sides_squared;  ///< of the side that faces each vertex
     double margin;                        ///< of its points
+    bool wide;                            ///< whether rays meet it in doubles
 
-    explicit Facet(const std::array<Vec3, 3>& corners);
+    /// The margin is that of a plane test in floats or, where this would be larger than `largest_margin`, in doubles.
+    explicit Facet(const std::array<Vec3, 3>& corners, double largest_margin = HUGE_VAL);
 };
 
 /// The point v0 (1−u−v) + v1 u + v2 v of the triangle.
 SurfacePoint triangle_point(const Facet& facet, double u, double v);
 /// The point of the sphere in a unit direction from its centre; its normal is that direction.
 SurfacePoint sphere_point(Vec3 center, double radius, Vec3 direction);
-/// A point of a disk with this normal.
-SurfacePoint disk_point(Vec3 position, Vec3 normal);
+/// A point of a disk with this normal that reaches this far from its centre.
+SurfacePoint disk_point(Vec3 position, Vec3 normal, double radius);
 
 /// The floats, as doubles, from which a ray towards `direction` leaves the point: on the side of its normal to which
 /// the direction points. `extra` is a further uncertainty along each axis, which the far end of a segment has.

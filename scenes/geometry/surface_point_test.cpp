@@ -36,7 +36,7 @@ TEST(SurfacePoint, RaysAreMadeOfFloats) {
         const std::array<Vec3, 3> corners{random_vector(random), random_vector(random), random_vector(random)};
         const SurfacePoint triangle = triangle_point(Facet(corners), 0.2, 0.3);
         const SurfacePoint sphere = sphere_point({3, 4, 5}, 0.7, normalize(random_vector(random)));
-        const SurfacePoint disk = disk_point(random_vector(random), {0, 0, 1});
+        const SurfacePoint disk = disk_point(random_vector(random), {0, 0, 1}, 1);
         for (const SurfacePoint& from : {triangle, sphere, disk}) expect_floats(leave(from, random_vector(random)));
         expect_floats(connect(triangle, sphere));
         expect_floats(connect(disk, triangle));

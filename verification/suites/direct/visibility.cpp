@@ -65,7 +65,7 @@ Verdict light_is_seen(const std::string& kind, const End& end, const Run& run) {
 
 /// What a light whose rays meet triangles must not do.
 SurfacePoint end_in_double(const SurfacePoint& point) {
-    return disk_point(point.position, point.normal);
+    return disk_point(point.position, point.normal, 1);
 }
 SurfacePoint end_behind(const SurfacePoint& point) {
     SurfacePoint end = point;

@@ -91,7 +91,7 @@ Passed through_plates(double first, double second) {
                                  .place = {}});
     }
     const Scene scene(std::move(plates));
-    const SurfacePoint from = disk_point({0.1, 0.2, 0}, {0, 0, 1});
+    const SurfacePoint from = disk_point({0.1, 0.2, 0}, {0, 0, 1}, 1);
     RayLog rays;
     std::uint64_t passed = 0;
     for (int i = 0; i < lattice; ++i) passed += !scene.intersect(leave(from, {0, 0, 1}), (i + 0.5) / lattice, rays);
