@@ -101,10 +101,10 @@ std::string ply(const std::string& format, const std::string& real, const std::s
         const auto& [x, y, z] = positions[i];
         for (const float value : {x, y, z, 0.f, 0.f, 1.f, uv(i)[0], uv(i)[1]}) put(vertex_body, real, value, format);
         put(vertex_body, "uchar", 200, format);
-        for (const int value : {2, 1, 2}) put(vertex_body, value == 2 ? count : index, value, format);
+        put(vertex_body, count, 2, format);
+        for (const int neighbour : {1, 2}) put(vertex_body, index, neighbour, format);
         vertex_body += end;
     }
-    vertex_body = vertex_body + "";
     for (const auto& face : faces) {
         put(face_body, "short", -7, format);
         put(face_body, count, static_cast<double>(face.size()), format);

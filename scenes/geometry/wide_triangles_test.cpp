@@ -43,7 +43,7 @@ TEST(WideTriangles, OfOneMeshKeepTheirNumbersBesideSmallOnes) {
     const EmbreeScene scene(shapes);
     const Hit above = scene.intersect(rounded_ray({0.5, 0.25, 5}, {0, 0, -1})).value();
     EXPECT_GE(above.primitive, 2u);
-    EXPECT_DOUBLE_EQ(above.t, 3);
+    EXPECT_FLOAT_EQ(static_cast<float>(above.t), 3);
     const Hit below = scene.intersect(rounded_ray({0.5, 0.25, 1}, {0, 0, -1})).value();
     EXPECT_LT(below.primitive, 2u);
     EXPECT_EQ(below.shape, 0u);
