@@ -40,11 +40,15 @@ std::string in_one_line(std::string text) {
 
 Image read_image(const fs::path& file) {
     if (!fs::exists(file)) throw Error(fmt::format("{}: there is no such file", file.string()));
-    Image image;
+    ImageParts parts;
     std::string why;
-    function_of_module<decltype(&plumb_decode_image)>("plumb_decode_image")(file.c_str(), &image, &why);
+    function_of_module<decltype(&plumb_decode_image)>("plumb_decode_image")(file.c_str(), &parts, &why);
     if (!why.empty()) throw Error(fmt::format("{}: not a readable image: {}", file.string(), in_one_line(why)));
-    return image;
+    try {
+        return picture_of(std::move(parts));
+    } catch (const std::invalid_argument& error) {
+        throw Error(fmt::format("{}: not a readable image: {}", file.string(), error.what()));
+    }
 }
 
 void require_finite(const Image& image, const fs::path& file) {

@@ -7,14 +7,22 @@
 
 namespace plumb {
 
+/// How a file says that its numbers stand for amounts of light.
+struct Encoding {
+    std::string name = {};  ///< as OpenImageIO calls it: "Linear", "sRGB", …; empty where the file does not say
+    double gamma = 0;       ///< of a power, where it is one; else 0
+};
+
 /// An image with named channels: rows from the top, each of `width` pixels, each of one number a channel. A decoded
-/// image has the file's numbers, integers of b bits divided by 2^b − 1; no colour transform is applied.
+/// image has the file's numbers, integers of b bits divided by 2^b − 1; no colour transform is applied, and colours are
+/// not multiplied by an alpha that the file's colours do not contain.
 struct Image {
     int width = 0, height = 0;
     std::vector<std::string> channels;  ///< names, e.g. R, G, B, A
     std::vector<float> values;
     std::map<std::string, std::string> metadata = {};  ///< attributes that are text
     bool of_integers = false;                          ///< how the file stores its numbers: integers, or floats
+    Encoding encoding = {};
 
     [[nodiscard]] float at(int x, int y, std::size_t channel) const {
         return values[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
@@ -23,8 +31,12 @@ struct Image {
     }
 };
 
-/// Decodes any format that OpenImageIO reads. Throws Error naming the file when there is none, when it is not an image,
-/// truncated, deep, of three dimensions or larger than 2^30 numbers.
+/// Decodes any format that OpenImageIO reads, by what it means and not how it is laid out: the picture is the display
+/// window of an EXR file (black where no data are), upright by the orientation that a file states, in RGB where it is
+/// stored as luminance and chroma; the parts of an EXR file are layers of one image ("diffuse.R"), and of the pages,
+/// frames or layers of any other format the first is the picture. Throws Error naming the file when there is none, when
+/// it is not an image, truncated, deep, of three dimensions, larger than 2^30 numbers, of parts of unlike sizes, or a
+/// WebP whose colours lost what its alpha hides.
 Image read_image(const std::filesystem::path& file);
 
 /// Throws Error naming the file and the first pixel and channel whose value is not finite.

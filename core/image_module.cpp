@@ -57,6 +57,29 @@ std::map<std::string, std::string> text_attributes(const OIIO::ImageSpec& spec) 
     return texts;
 }
 
+plumb::ImagePart part_of(OIIO::ImageInput& input, int number, std::string* why) {
+    const OIIO::ImageSpec& spec = input.spec();
+    plumb::ImagePart part;
+    *why = objection(spec);
+    if (!why->empty()) return part;
+    part.image = {spec.width,
+                  spec.height,
+                  spec.channelnames,
+                  {},
+                  text_attributes(spec),
+                  !spec.format.is_floating_point(),
+                  {std::string(spec.get_string_attribute("oiio:ColorSpace")), spec.get_float_attribute("oiio:Gamma")}};
+    part.data = {spec.x, spec.y, spec.width, spec.height};
+    part.display = {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
+    part.orientation = spec.get_int_attribute("Orientation", 1);
+    part.name = std::string(spec.get_string_attribute("oiio:subimagename"));
+    part.image.values.resize(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
+    const bool read = input.read_image(number, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, part.image.values.data());
+    // some readers fill what is missing and only complain
+    if (!read || input.has_error()) *why = or_unknown(input.geterror());
+    return part;
+}
+
 std::unique_ptr<OIIO::ImageOutput> encoder(const char* file, std::string* why) {
     auto output = OIIO::ImageOutput::create(file);
     if (!output) *why = "no image format has this extension: " + OIIO::geterror();
@@ -69,7 +92,7 @@ void plumb_find_encoder(const char* file, std::string* why) {
     encoder(file, why);
 }
 
-void plumb_decode_image(const char* file, plumb::Image* image, std::string* why) {
+void plumb_decode_image(const char* file, plumb::ImageParts* parts, std::string* why) {
     const SilentStandardError silence;
     use_one_thread();
     // The file's own numbers: else OpenImageIO multiplies colours by an alpha that they do not contain, as PNG's do
@@ -81,14 +104,14 @@ void plumb_decode_image(const char* file, plumb::Image* image, std::string* why)
         *why = or_unknown(OIIO::geterror());
         return;
     }
-    const OIIO::ImageSpec& spec = input->spec();
-    *why = objection(spec);
-    if (!why->empty()) return;
-    *image = {spec.width, spec.height, spec.channelnames, {}, text_attributes(spec), !spec.format.is_floating_point()};
-    image->values.resize(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-    const bool read = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image->values.data());
-    // some readers fill what is missing and only complain
-    if (!read || input->has_error()) *why = or_unknown(input->geterror());
+    parts->format = input->format_name();
+    const bool is_exr = parts->format == "openexr";
+    for (int number = 0; number == 0 || (is_exr && input->seek_subimage(number, 0)); ++number) {
+        parts->parts.push_back(part_of(*input, number, why));
+        if (!is_exr) parts->parts.back().display = parts->parts.back().data;  // elsewhere an offset is a printer's
+        if (!why->empty()) return;
+    }
+    (void)input->geterror();  // that there are no more parts
 }
 
 void plumb_encode_image(const char* file, const plumb::Image* image, std::string* why) {

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/image.h"
+#include "core/image_layers.h"
 #include "reports/text/text.h"
 #include "studies/image_pattern.h"
 #include "verification/pictures/image_convergence.h"
@@ -21,7 +22,7 @@ struct ReferencePicture {
 ReferencePicture read_reference(const std::string& file) {
     if (file == "auto") throw Error("converge --images: --reference auto is for scenes (--on); give --reference FILE");
     if (file.empty()) throw Error("converge --images: against what? Give --reference FILE");
-    ReferencePicture reference{file, read_image(file), {}, false};
+    ReferencePicture reference{file, picture_layer(read_image(file), file), {}, false};
     reference.variance_known = has_variance(reference.image, file);
     reference.picture =
         picture_of(std::vector{reference.image}, std::vector{reference.file}, !reference.variance_known);
@@ -41,7 +42,7 @@ std::vector<RendersAt> read_renders(const std::vector<NamedImage>& files, const 
             of_group.clear();
         }
         RendersAt& at = groups.back();
-        of_group.push_back(read_image(named.file));
+        of_group.push_back(picture_layer(read_image(named.file), named.file));
         at.files.push_back(file);
         require_independent(of_group, at.files);
         require_independent(std::vector{reference.image, of_group.back()}, std::vector{reference.file, file});

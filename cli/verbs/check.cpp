@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/image.h"
+#include "core/image_layers.h"
 #include "integrators/references/provenance.h"
 #include "reports/images/known_values.h"
 #include "scenes/shipped/known_radiances.h"
@@ -23,6 +24,7 @@ struct Options {
     std::vector<std::string> images;  ///< independent renders of one picture
     std::string expected;             ///< a file, or the name of a shipped scene
     std::optional<int> edges;         ///< of the longest paths that count; 0: all do; empty: as the images say
+    std::string layer;                ///< of the images; empty: the picture itself, or the only one
     CheckSettings settings;
     std::string json;
 };
@@ -98,7 +100,8 @@ int check(const Options& options) {
     const std::string expected = expected_file(options.expected).string();
     const KnownScene scene = known_radiances(expected);
     std::vector<Image> images;
-    for (const std::string& file : options.images) images.push_back(read_image(file));
+    for (const std::string& file : options.images)
+        images.push_back(picture_layer(read_image(file), file, options.layer));
     require_independent(images, options.images);
     if (images[0].width != scene.film.width || images[0].height != scene.film.height)
         throw Error(fmt::format("{}: is {}x{} pixels, the film of {} {}x{}", options.images[0], images[0].width,
@@ -120,6 +123,7 @@ Action add(CLI::App& verb) {
         ->required();
     verb.add_option("--expect", options->expected, "an expected.json (docs/scenes.md), or the name of a shipped scene")
         ->required();
+    verb.add_option("--layer", options->layer, "the layer of the images, of those with several");
     add_parsed(verb, "--edges", options->edges, parse_edges,
                "the longest paths that the image counts: 2 (direct light), or all; Plumb's own images say it "
                "themselves");

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/image.h"
+#include "core/image_layers.h"
 #include "integrators/references/reference_cache.h"
 #include "integrators/references/scene_identity.h"
 #include "reports/images/comparison.h"
@@ -21,6 +22,7 @@ struct Options {
     std::vector<std::string> images;  ///< a and b; b may be a scene, for its reference
     std::vector<std::string> a, b;    ///< more independent renders of each
     bool exact_b = false;             ///< b is a deterministic picture
+    std::string layer_a, layer_b;     ///< of the images; empty: the picture itself, or the only one
     std::string cache = "out/references";
     ComparisonSettings settings;
     std::string json, report = "out/compare.html";
@@ -83,9 +85,9 @@ int compare(const Options& options) {
     std::vector<std::string> files_b = files_of(options, 1);
     require_writable({options.json, options.report});
     std::vector<Image> images_a, images_b;
-    for (const std::string& file : files_a) images_a.push_back(read_image(file));
+    for (const std::string& file : files_a) images_a.push_back(picture_layer(read_image(file), file, options.layer_a));
     find_reference(files_b, files_a.front(), images_a.front(), options.cache);
-    for (const std::string& file : files_b) images_b.push_back(read_image(file));
+    for (const std::string& file : files_b) images_b.push_back(picture_layer(read_image(file), file, options.layer_b));
     std::vector<Image> all = images_a;
     std::vector<std::string> names = files_a;
     all.insert(all.end(), images_b.begin(), images_b.end());
@@ -114,6 +116,8 @@ Action add(CLI::App& verb) {
         ->expected(0, 2);
     verb.add_option("--a", options->a, "independent renders of a: two or more unless a has layers of its variance");
     verb.add_option("--b", options->b, "independent renders of b");
+    verb.add_option("--layer-a", options->layer_a, "the layer of a's images, of those with several");
+    verb.add_option("--layer-b", options->layer_b, "the layer of b's images");
     verb.add_flag("--exact-b", options->exact_b, "b has no error: a closed form, not a render");
     add_cache(verb, options->cache);
     add_share(verb, "--delta", options->settings.delta, "how far the picture's mean may be off, as a share of b's");

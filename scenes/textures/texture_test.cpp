@@ -1,5 +1,7 @@
 #include "scenes/textures/texture.h"
 
+#include "core/image.h"
+#include "core/srgb.h"
 #include "scenes/test_files.h"
 
 namespace plumb {
@@ -41,6 +43,31 @@ TEST_F(Textures, IntegersAreSrgbUnlessRaw) {
     EXPECT_NEAR(raw.texel(0, 0)[1], 128 / 255.0, 1e-6);
     EXPECT_NEAR(image.texel(0, 0)[1], std::pow((128 / 255.0 + 0.055) / 1.055, 2.4), 1e-6);
     EXPECT_FLOAT_EQ(static_cast<float>(image.texel(1, 0)[2]), 1);
+}
+
+TEST_F(Textures, AreDecodedAsTheFileSays) {
+    const float stored = 128 / 255.f;
+    const auto texel = [&](const char* name, std::vector<std::string> channels, std::vector<float> values,
+                           std::map<std::string, std::string> says = {}) {
+        write_image(path_ / name, {1, 1, std::move(channels), std::move(values), std::move(says)});
+        return read_texels(path_ / name).texel(0, 0);
+    };
+    const double decoded = linear_from_srgb(static_cast<double>(stored));
+    EXPECT_NEAR(texel("a.png", {"R", "G", "B"}, {1, stored, 0})[1], decoded, 1e-6);
+    EXPECT_NEAR(texel("b.png", {"R", "G", "B"}, {1, stored, 0}, {{"oiio:ColorSpace", "Linear"}})[1], stored, 1e-6);
+    EXPECT_NEAR(texel("c.exr", {"R", "G", "B"}, {1, stored, 0})[1], stored, 1e-6);
+    EXPECT_NEAR(texel("d.exr", {"Y"}, {stored})[2], stored, 1e-6);
+    EXPECT_NEAR(texel("e.exr", {"depth.Z", "view.R", "view.G", "view.B"}, {9, 1, stored, 0})[1], stored, 1e-6);
+    EXPECT_EQ(
+        message([&] {
+            texel("f.dpx", {"R", "G", "B"}, {1, 1, 1}, {{"oiio:ColorSpace", "KodakLog"}});
+        }),
+        "f.dpx: its colours are encoded as 'KodakLog'; accepted are linear ones, sRGB, Rec709 and powers, and any "
+        "as raw numbers");
+    EXPECT_EQ(message([&] {
+                  texel("g.exr", {"X", "Y", "Z"}, {1, 1, 1});
+              }),
+              "g.exr: has channels X, Y and Z; accepted for a texture are R, G and B, or Y");
 }
 
 TEST_F(Textures, WhatCannotBeDecodedIsNamed) {

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/image_layers.h"
 
 namespace plumb {
 namespace {
@@ -22,9 +23,8 @@ std::optional<std::size_t> channel_index(const Image& image, const std::string& 
 }
 
 std::vector<std::string> colours_of(const Image& image, const std::string& name) {
-    for (const std::vector<std::string>& set : {std::vector<std::string>{"R", "G", "B"}, {"X", "Y", "Z"}, {"Y"}})
-        if (std::ranges::all_of(set, [&](const std::string& c) { return channel_index(image, c).has_value(); }))
-            return set;
+    std::vector<std::string> colours = plumb::colours_of(image);
+    if (!colours.empty()) return colours;
     throw Error(fmt::format("{}: has channels {}; accepted: R, G and B, or X, Y and Z, or Y", name,
                             fmt::join(image.channels, ", ")));
 }
