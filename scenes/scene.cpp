@@ -1,5 +1,8 @@
 #include "scenes/scene.h"
 
+#include <fmt/format.h>
+
+#include "core/error.h"
 #include "scenes/geometry/wide_triangles.h"
 
 namespace plumb {
@@ -18,11 +21,22 @@ description::Scene with_wide_triangles_in_doubles(description::Scene description
     return description;
 }
 
+// Embree multiplies three lengths in floats: within these, products neither overflow nor vanish.
+Ball within_range(const Ball& ball) {
+    constexpr double smallest = 0x1p-36, largest = 0x1p40;
+    const double reach = length(ball.centre) + ball.radius;
+    if (ball.radius >= smallest && reach <= largest) return ball;
+    throw Error(
+        fmt::format("the scene's shapes fill a ball of radius {:.3g} and reach {:.3g} from the origin; rays in "
+                    "single precision accept radii from {:.2g} and distances to {:.2g}: scale the scene",
+                    ball.radius, reach, smallest, largest));
+}
+
 }  // namespace
 
 Scene::Scene(description::Scene description, MakeChooser choose)
     : description_(with_wide_triangles_in_doubles(std::move(description))),
-      ball_(ball_around(description_.shapes)),
+      ball_(within_range(ball_around(description_.shapes))),
       embree_(description_.shapes),
       materials_(description_.materials, description_.textures),
       sensor_(description_.sensor.value_or(description::Sensor())) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "estimators/densities/warps.h"
 #include "scenes/emitters/sphere_light.h"
 #include "scenes/mitsuba/mitsuba_xml.h"
@@ -34,6 +35,23 @@ TEST(Scene, KnowsADensityForEveryLightThatARayMeets) {
     }
     EXPECT_GT(met, 10'000);
     EXPECT_GT(met_only_from_its_start, 1000);
+}
+
+TEST(Scene, MustBeOfASizeThatRaysInFloatsCanTell) {
+    const auto ball = [](Vec3 center, double radius) {
+        description::Scene scene;
+        scene.shapes.push_back(
+            {.geometry = description::Sphere{.center = center, .radius = radius, .flip_normals = false, .to_world = {}},
+             .material = {},
+             .emitter = {},
+             .id = {},
+             .place = {}});
+        return scene;
+    };
+    EXPECT_NO_THROW(Scene(ball({}, 0x1p-35)));
+    EXPECT_NO_THROW(Scene(ball({0x1p38, 0, 0}, 0x1p38)));
+    EXPECT_THROW(Scene(ball({}, 0x1p-40)), Error);
+    EXPECT_THROW(Scene(ball({0x1p41, 0, 0}, 1)), Error);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Light is linear: with all emission times 2^k every integrator makes the same picture times 2^k, to the bit, with the
-// same relative error.
+// same relative error. And light knows no lengths: with all lengths times 2^k, and the intensity of what shines from a
+// point times 4^k, it makes the same picture.
 
 #include <fmt/format.h>
 
@@ -22,6 +23,42 @@ description::Scene lamps(int k) {
     scene.emitters.clear();
     scene.emitters.push_back({description::ConstantSky{Spectrum::grey(0.2 * factor)}, {}});
     scene.emitters.push_back({description::PointLight{{0, -0.5, 1.5}, Spectrum::grey(0.3 * factor)}, {}});
+    return scene;
+}
+
+/// The same with all lengths times 2^k, and a ball among the lamps.
+description::Scene lengths(int k) {
+    const double factor = std::ldexp(1.0, k);
+    const Transform scale = Transform::scale({factor, factor, factor});
+    description::Scene scene = lamps(0);
+    scene.shapes.push_back(
+        {.geometry =
+             description::Sphere{.center = {0.4, -0.3, 0.7}, .radius = 0.2, .flip_normals = false, .to_world = {}},
+         .material = scene.shapes.front().material,
+         .emitter = {},
+         .id = {},
+         .place = {}});
+    for (description::Shape& shape : scene.shapes) {
+        if (Mesh* mesh = std::get_if<Mesh>(&shape.geometry)) *mesh = transformed(std::move(*mesh), scale);
+        if (auto* ball = std::get_if<description::Sphere>(&shape.geometry)) {
+            ball->center = ball->center * factor;
+            ball->radius *= factor;
+        }
+    }
+    for (description::Emitter& emitter : scene.emitters)
+        if (auto* point = std::get_if<description::PointLight>(&emitter.kind)) {
+            point->position = point->position * factor;
+            point->intensity *= factor * factor;
+        }
+    scene.sensor.to_world = scale * scene.sensor.to_world;
+    return scene;
+}
+
+description::Scene lengths_without_intensity(int k) {
+    description::Scene scene = lengths(k);
+    for (description::Emitter& emitter : scene.emitters)
+        if (auto* point = std::get_if<description::PointLight>(&emitter.kind))
+            point->intensity *= std::ldexp(1.0, -2 * k);
     return scene;
 }
 
@@ -68,17 +105,38 @@ void compare(const Film& one, const Film& other, int k, const std::string& name,
                  [&] { return fmt::format("{}, k = {}: other values are bad", name, k); });
 }
 
-Verdict same_picture(const NamedIntegrator& integrator, MakeFilm make, const Run& run) {
+using MakeScene = description::Scene (*)(int k);
+
+Film film_of(const NamedIntegrator& integrator, description::Scene description, MakeFilm make, const Run& run) {
     const PathLimits limits{.max_edges = integrator.makes.longest.value_or(4), .roulette_edges = 2};
     const auto estimator = integrator.make(limits, Parameters(integrator.parameters, {}));
-    const RenderSettings settings{
-        .samples_per_pass = 2, .passes = 4, .seed = run.random(0).bits(), .crop = {4, 4, 8, 8}};
-    const auto film_of = [&](int k) { return make(job_of(Scene(lamps(k)), *estimator, settings)); };
-    const Film one = film_of(0);
+    const Scene scene(std::move(description));
+    return make(job_of(scene, *estimator,
+                       {.samples_per_pass = 2, .passes = 4, .seed = run.random(0).bits(), .crop = {4, 4, 8, 8}}));
+}
+
+Verdict same_picture(const NamedIntegrator& integrator, MakeFilm make, const Run& run) {
+    const Film one = film_of(integrator, lamps(0), make, run);
     Tally tally;
     for (const int k : run.pick(std::vector{-100, -37, 1, 100}, std::vector{-300, -100, -64, -37, -1, 1, 23, 100, 300}))
-        compare(one, film_of(k), k, integrator.id, tally);
+        compare(one, film_of(integrator, lamps(k), make, run), k, integrator.id, tally);
     return tally.verdict("values are the same times 2^k");
+}
+
+Verdict same_at_all_lengths(const NamedIntegrator& integrator, MakeScene scene, const Run& run) {
+    const Film one = film_of(integrator, lengths(0), rendered, run);
+    Tally tally;
+    for (const int k : run.pick(std::vector{-28, 28}, std::vector{-28, -13, -1, 1, 17, 28})) {
+        const Film other = film_of(integrator, scene(k), rendered, run);
+        for (int y = 0; y < one.size().height; ++y)
+            for (int x = 0; x < one.size().width; ++x)
+                for (std::size_t c = 0; c < 3; ++c)
+                    tally.expect(other.mean(x, y, c) == one.mean(x, y, c), [&] {
+                        return fmt::format("{}, k = {}: pixel ({}, {}) is {:.17g}, not {:.17g}", integrator.id, k, x, y,
+                                           other.mean(x, y, c), one.mean(x, y, c));
+                    });
+    }
+    return tally.verdict("values are the same");
 }
 
 }  // namespace
@@ -96,6 +154,18 @@ void add_transport_scales(Catalogue& catalogue) {
              .trial = {[&integrator](MakeFilm make, const Run& run) { return same_picture(integrator, make, run); },
                        MakeFilm(rendered),
                        {{"absolute-units", "Sums resolve a fixed part of radiance 1.", MakeFilm(in_absolute_units)}}}});
+        catalogue.add({.id = fmt::format("render/{}/lengths", integrator.id),
+                       .statement = fmt::format("With all lengths times 2^k, k from -28 to 28, and intensities times "
+                                                "4^k, `{}` makes the same picture, to the bit.",
+                                                integrator.id),
+                       .source = "ours, scenes/geometry/surface_point.h",
+                       .kind = Kind::exact,
+                       .trial = {[&integrator](MakeScene scene, const Run& run) {
+                                     return same_at_all_lengths(integrator, scene, run);
+                                 },
+                                 MakeScene(lengths),
+                                 {{"intensity-alone", "The intensity of a point light stays as it was.",
+                                   MakeScene(lengths_without_intensity)}}}});
     }
 }
 
