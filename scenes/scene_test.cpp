@@ -40,6 +40,7 @@ TEST(Scene, KnowsADensityForEveryLightThatARayMeets) {
 TEST(Scene, MustBeOfASizeThatRaysInFloatsCanTell) {
     const auto ball = [](Vec3 center, double radius) {
         description::Scene scene;
+        scene.materials.push_back({description::Diffuse{Spectrum::grey(1)}, {}, {}});
         scene.shapes.push_back(
             {.geometry = description::Sphere{.center = center, .radius = radius, .flip_normals = false, .to_world = {}},
              .material = {},

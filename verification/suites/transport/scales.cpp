@@ -7,6 +7,7 @@
 #include "integrators/drivers/render.h"
 #include "integrators/integrators.h"
 #include "scenes/film/film_error.h"
+#include "verification/suites/direct/direct_subjects.h"
 #include "verification/suites/suites.h"
 #include "verification/suites/tally.h"
 #include "verification/suites/transport/transport_subjects.h"
@@ -31,13 +32,9 @@ description::Scene lengths(int k) {
     const double factor = std::ldexp(1.0, k);
     const Transform scale = Transform::scale({factor, factor, factor});
     description::Scene scene = lamps(0);
-    scene.shapes.push_back(
-        {.geometry =
-             description::Sphere{.center = {0.4, -0.3, 0.7}, .radius = 0.2, .flip_normals = false, .to_world = {}},
-         .material = scene.shapes.front().material,
-         .emitter = {},
-         .id = {},
-         .place = {}});
+    add_shape(scene,
+              description::Sphere{.center = {0.4, -0.3, 0.7}, .radius = 0.2, .flip_normals = false, .to_world = {}},
+              scene.shapes.front().material);
     for (description::Shape& shape : scene.shapes) {
         if (Mesh* mesh = std::get_if<Mesh>(&shape.geometry)) *mesh = transformed(std::move(*mesh), scale);
         if (auto* ball = std::get_if<description::Sphere>(&shape.geometry)) {
