@@ -31,7 +31,7 @@ description::Scene lit_by(const std::string& kind, Opacity of) {
     const auto black = add_material(scene, description::Diffuse{Spectrum{}});
     description::Colour lets_through = Spectrum::grey(opacity);
     if (of == Opacity::textured) {
-        scene.textures.push_back({description::Checkerboard{Spectrum::grey(0.9), Spectrum::grey(0.1)}, {}, {}});
+        scene.textures.emplace_back().kind = description::Checkerboard{Spectrum::grey(0.9), Spectrum::grey(0.1)};
         lets_through = description::TextureId{0};
     }
     const auto gauze = add_material(scene, description::Mask{lets_through, black});
