@@ -47,7 +47,7 @@ description::Scene lengths(int k) {
             point->position = point->position * factor;
             point->intensity *= factor * factor;
         }
-    scene.sensor.to_world = scale * scene.sensor.to_world;
+    scene.sensor->to_world = scale * scene.sensor->to_world;
     return scene;
 }
 
