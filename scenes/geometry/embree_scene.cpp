@@ -147,6 +147,14 @@ void require_sound(const Mesh& mesh, const Shape& shape) {
     }
 }
 
+/// Where on its triangle a ray met a mesh. Embree says (0, 0) where the volume by which it divides is below 1e-18, as
+/// for triangles of 1e-8 seen from the side.
+std::array<double, 2> barycentric(const Mesh& mesh, const RTCRayHit& found, const Ray& ray) {
+    if (found.hit.u == 0 && found.hit.v == 0)
+        if (const auto met = meet_triangle(mesh.corners(found.hit.primID), ray)) return {met->u, met->v};
+    return {found.hit.u, found.hit.v};
+}
+
 /// Gives Embree the triangles, without those that it is to ask for: they shrink to a corner, so that all keep their
 /// numbers.
 void fill(RTCGeometry geometry, const Mesh& mesh, const WideTriangles& asked_for) {
@@ -240,7 +248,8 @@ std::optional<Hit> EmbreeScene::intersect(const Ray& ray) const {
     }
     const Shape& shape = state_->shapes[found.hit.geomID];
     if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry)) {
-        set_mesh_hit(*hit, *mesh, found.hit.primID, found.hit.u, found.hit.v);
+        const auto [u, v] = barycentric(*mesh, found, ray);
+        set_mesh_hit(*hit, *mesh, found.hit.primID, u, v);
         hit->t = found.ray.tfar;
     } else {
         const double t = intersect_analytic(shape, ray).value_or(found.ray.tfar);

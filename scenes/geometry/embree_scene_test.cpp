@@ -50,6 +50,15 @@ TEST(EmbreeScene, SphereHitsAreExactInDouble) {
     }
 }
 
+TEST(EmbreeScene, KnowsPlacesOnTinyTriangles) {
+    const double size = 0x1p-34;
+    const std::vector<Shape> shapes{shape_of(transformed(rectangle_mesh(), Transform::scale({size, size, size})))};
+    const Ray ray = rounded_ray({-0.25 * size, 0.5 * size, 0.01 * size}, {1, 0, -0.01});
+    const Hit hit = EmbreeScene(shapes).intersect(ray).value();
+    EXPECT_NEAR(hit.point.position.x / size, 0.75, 1e-5);
+    EXPECT_NEAR(hit.point.position.y / size, 0.5, 1e-5);
+}
+
 TEST(EmbreeScene, NormalsFaceAsTheShadingNormalsDo) {
     Mesh mesh = rectangle_mesh();
     mesh.normals.assign(4, {0, 0, -1});
