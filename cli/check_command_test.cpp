@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command_test.h"
-#include "core/image.h"
+#include "core/images/image.h"
 
 namespace plumb::cli {
 namespace {

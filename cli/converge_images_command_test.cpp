@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command_test.h"
-#include "core/image.h"
+#include "core/images/image.h"
 #include "core/random.h"
 
 namespace plumb::cli {

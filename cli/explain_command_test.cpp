@@ -4,7 +4,7 @@
 #include <set>
 
 #include "cli/command_test.h"
-#include "core/image.h"
+#include "core/images/image.h"
 
 namespace plumb::cli {
 namespace {

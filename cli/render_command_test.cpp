@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/command_test.h"
-#include "core/image.h"
+#include "core/images/image.h"
 
 namespace plumb::cli {
 namespace {

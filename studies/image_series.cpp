@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "core/error.h"
-#include "core/image.h"
-#include "core/image_layers.h"
+#include "core/images/image.h"
+#include "core/images/layers.h"
 #include "reports/text/text.h"
 #include "studies/image_pattern.h"
 #include "verification/pictures/image_convergence.h"

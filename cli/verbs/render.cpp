@@ -7,7 +7,7 @@
 #include "cli/verb.h"
 #include "cli/verbs/path_options.h"
 #include "cli/verbs/render_picture.h"
-#include "core/image.h"
+#include "core/images/image.h"
 
 namespace plumb::cli::verbs {
 namespace {

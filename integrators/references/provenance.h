@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/image.h"
+#include "core/images/image.h"
 #include "core/parameters.h"
 #include "integrators/paths/limits.h"
 #include "integrators/paths/path_estimator.h"

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "core/image.h"
+#include "core/images/image.h"
 
 namespace plumb {
 

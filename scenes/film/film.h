@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/image.h"
+#include "core/images/image.h"
 #include "core/spectrum.h"
 #include "scenes/film/exact_sum.h"
 #include "scenes/film/film_size.h"

@@ -8,8 +8,8 @@
 #include <functional>
 
 #include "core/error.h"
-#include "core/image.h"
-#include "core/image_layers.h"
+#include "core/images/image.h"
+#include "core/images/layers.h"
 #include "core/srgb.h"
 
 namespace plumb {

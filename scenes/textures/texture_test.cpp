@@ -1,6 +1,6 @@
 #include "scenes/textures/texture.h"
 
-#include "core/image.h"
+#include "core/images/image.h"
 #include "core/srgb.h"
 #include "scenes/test_files.h"
 

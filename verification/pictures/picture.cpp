@@ -11,7 +11,7 @@
 #include <set>
 
 #include "core/error.h"
-#include "core/image_layers.h"
+#include "core/images/layers.h"
 
 namespace plumb {
 namespace {

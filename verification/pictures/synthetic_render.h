@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "core/image.h"
+#include "core/images/image.h"
 #include "core/random.h"
 
 namespace plumb {

@@ -1,4 +1,4 @@
-#include "core/image_module.h"
+#include "core/images/module.h"
 
 #include <OpenImageIO/imageio.h>
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-#include "core/image.h"
+#include "core/images/image.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>

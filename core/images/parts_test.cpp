@@ -1,4 +1,4 @@
-#include "core/image_parts.h"
+#include "core/images/parts.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/image_layers.h"
+#include "core/images/layers.h"
 
 #include <fmt/ranges.h>
 

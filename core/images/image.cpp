@@ -1,4 +1,4 @@
-#include "core/image.h"
+#include "core/images/image.h"
 
 #include <dlfcn.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
-#include "core/image_module.h"
+#include "core/images/module.h"
 
 namespace plumb {
 namespace {

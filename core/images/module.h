@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "core/image.h"
-#include "core/image_parts.h"
+#include "core/images/image.h"
+#include "core/images/parts.h"
 
 /// The functions of the module plumb_image_module, the only code that links OpenImageIO: its 250 shared libraries take
 /// 0.14 s and 130 MB to load, so the program loads the module when it meets an image. All leave `why` empty, or say

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/image.h"
+#include "core/images/image.h"
 
 namespace plumb {
 
@@ -27,8 +27,8 @@ struct ImageParts {
     std::vector<ImagePart> parts;  ///< all of an EXR file, else the first
 };
 
-/// What the file means, by the conventions of read_image() in core/image.h. Throws std::invalid_argument saying what
-/// cannot be.
+/// What the file means, by the conventions of read_image() in core/images/image.h. Throws std::invalid_argument saying
+/// what cannot be.
 Image picture_of(ImageParts parts);
 
 }  // namespace plumb
