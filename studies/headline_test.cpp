@@ -141,7 +141,7 @@ TEST(Headline, CountsEvaluationsWhereItsFigureDoes) {
     const Headline slope_of = measured(
         "figure = 'b'\nmeasure = 'slope'\nestimator = 'yakowitz-trapezoid'\nover = [16, 64]\nbetween = [-5, -3]\n");
     EXPECT_THAT(slope_of.measure, HasSubstr("evaluations = 16 to 64"));
-    EXPECT_EQ(slope_of.outcome, HeadlineOutcome::met);
+    EXPECT_EQ(slope_of.outcome, HeadlineOutcome::met) << slope_of.reason;
 }
 
 TEST(Headline, SaysWhyItCannotBeCompared) {
