@@ -15,11 +15,12 @@ namespace {
 /// A number, or the logarithm of a positive one, with its standard error: infinite where it is not known.
 struct Quantity {
     double value = 0, error = 0;
+    std::string doubt = {};  ///< why the error is not known, where replicates might tell it
 };
 
 // Between two estimators, whose replicates are independent: a difference, or the logarithm of a ratio.
 Quantity minus(const Quantity& a, const Quantity& b) {
-    return {a.value - b.value, std::hypot(a.error, b.error)};
+    return {a.value - b.value, std::hypot(a.error, b.error), a.doubt.empty() ? b.doubt : a.doubt};
 }
 
 double known(double error) {
@@ -30,7 +31,8 @@ using Points = std::span<const ConvergencePoint>;
 
 Quantity slope(Points points, double) {
     const Slope fitted = fit_slope({points.begin(), points.end()}, reports::headline_level);
-    return {fitted.value, known(fitted.standard_error)};
+    const double error = known(fitted.standard_error);
+    return {fitted.value, error, std::isfinite(error) ? "" : fitted.doubt};
 }
 
 Quantity relative_bias(Points points, double integral) {
@@ -170,9 +172,10 @@ reports::Headline measure_headline(const HeadlinePlan& plan, const reports::Figu
     headline.value = measure.logarithmic ? std::exp(quantity.value) : quantity.value;
     headline.interval = interval_of(quantity, measure);
     headline.logarithmic = measure.logarithmic;
-    headline.reason = obstacle(quantity, measure);
-    headline.outcome = headline.reason.empty() ? reports::outcome_of(headline.stated, headline.interval)
-                                               : reports::HeadlineOutcome::not_comparable;
+    headline.reason = quantity.doubt.empty() ? obstacle(quantity, measure) : quantity.doubt;
+    headline.outcome = !quantity.doubt.empty()   ? reports::HeadlineOutcome::undecided
+                       : headline.reason.empty() ? reports::outcome_of(headline.stated, headline.interval)
+                                                 : reports::HeadlineOutcome::not_comparable;
     return headline;
 }
 

@@ -15,7 +15,7 @@ using testing::AllOf, testing::ElementsAre, testing::HasSubstr, testing::Not;
 const std::string study_text = R"(
 title = "T"
 source = "somebody 1999"
-replicates = 500
+replicates = 4000
 [[figure]]
 id = "a"
 estimators = ["independent", "stratified", "halton", "voronoi"]
