@@ -57,5 +57,14 @@ TEST(LogMean, OfSquaresOfNormalErrors) {
     EXPECT_NEAR(log_ratio(log, log).skewness, 0, 1e-12);
 }
 
+TEST(LogMean, MovesItsQuantileOutByItsDistortionThere) {
+    const LogMean skew{.value = 0, .standard_error = 1, .skewness = 0.005, .kurtosis = 1e-4};
+    const double moved = skew.quantile(4.5);
+    EXPECT_GT(moved, 4.5);
+    EXPECT_NEAR(moved * moved / 2 - skew.distortion(moved), 4.5 * 4.5 / 2, 1e-4);
+    EXPECT_EQ((LogMean{.value = 0, .standard_error = 1}.quantile(4.5)), 4.5);
+    EXPECT_EQ((LogMean{.value = 0, .standard_error = 1, .skewness = 0.1}.quantile(4.5)), HUGE_VAL);
+}
+
 }  // namespace
 }  // namespace plumb

@@ -12,8 +12,15 @@ double LogMean::distortion(double z) const {
 }
 
 double LogMean::quantile(double z) const {
-    const double off = distortion(z);
-    return off <= 4 ? std::sqrt(z * z + 2 * off) : std::numeric_limits<double>::infinity();
+    constexpr double most = 4;  // beyond which expansions tell nothing
+    double moved = z;
+    for (int i = 0; i < 50; ++i) {
+        const double off = distortion(moved), next = std::sqrt(z * z + 2 * off);
+        if (!(off <= most)) return std::numeric_limits<double>::infinity();
+        if (next - moved <= 1e-6 * z) return next;
+        moved = next;
+    }
+    return std::numeric_limits<double>::infinity();
 }
 
 // With u = mean/truth − 1, t the studentised mean and c the coefficient of variation, ln(1 + u) over its standard error

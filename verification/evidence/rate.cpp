@@ -31,8 +31,8 @@ struct RateTest {
         return bad == series.points.end() ? "" : fmt::format("the MSE at n = {} is {}", bad->n, bad->mse);
     }
     [[nodiscard]] std::string refutation() const {
-        if (around(slope, alpha / 2).disjoint(exponents) &&
-            slope.distortion(normal_upper_quantile(alpha / 4)) <= refutable_distortion)
+        const double outside = std::max({exponents.low - slope.value, slope.value - exponents.high, 0.0});
+        if (outside > slope.quantile(normal_upper_quantile(alpha / 4)) * slope.standard_error)
             return fmt::format("the MSE falls as n^{:.3f} ± {:.3f}; {}", slope.value, slope.standard_error, claimed());
         const double z = normal_upper_quantile(alpha / 4 / count());
         const auto off = std::ranges::find_if(
