@@ -208,7 +208,7 @@ std::vector<Spoiled> renderers_spoiled() {
     no_cosine.visibility = std::make_shared<WithoutCosineOnBall>();
     point_left_out.lights = {{std::make_shared<WithoutPointAtTimes>()}};
     const Job honest = still(4), closer = still(8), precise = still(16);
-    const Job long_paths{honest_scene, path(), samples("sobol", 1)},
+    const Job long_paths{honest_scene, path(), samples("sobol", 4)},
         noisy{honest_scene, direct(), samples("independent", 4)},
         by_lights{honest_scene, direct(), samples("sobol", 64, by_the_point)},
         by_bsdf{honest_scene, by(Direct(bsdf_alone)), samples("independent", 8)};
