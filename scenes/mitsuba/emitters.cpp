@@ -21,7 +21,6 @@ AreaEmitter load_area_emitter(const XmlElement& element, Loader& loader) {
 Emitter load_emitter(const XmlElement& element, Loader& loader) {
     using Kind = decltype(Emitter::kind);
     XmlProperties properties(element, loader);
-    properties.number("sampling_weight", 1);
     std::optional<Kind> kind = load_model<Kind>(description::EmitterModels{}, properties);
     if (!kind && description::serves<AreaEmitter>(properties.type()))
         throw element.place.error(fmt::format("emitter '{}' outside a shape", properties.type()));

@@ -2,6 +2,7 @@
 
 // This header holds what the parts of the Mitsuba loader share; nobody else includes it.
 
+#include <list>
 #include <map>
 #include <optional>
 #include <set>
@@ -17,6 +18,7 @@ std::string snake_case(const std::string& name);
 /// The state of loading one file.
 struct Loader {
     LoadOptions options;
+    std::filesystem::path folder = {};  ///< of the main scene
     description::Scene scene = {};
     std::map<std::string, const XmlElement*> named = {};  ///< elements of the root by their id
     std::map<const XmlElement*, description::MaterialId> materials = {};
@@ -31,6 +33,12 @@ struct Loader {
     void replaced(const description::Place& place, std::string text, const Error& error);
     /// The Error for a plugin that we lack: names the plugin, its place and those that exist.
     [[nodiscard]] Error unknown_plugin(const XmlElement& element) const;
+};
+
+/// The tags that a value may have, and the words in which an error says so.
+struct Form {
+    std::vector<std::string> tags;
+    std::string_view text;
 };
 
 /// The named values of one element: <float name="…"/> and its like.
@@ -61,21 +69,37 @@ public:
         loader_.replaced(element_.place, std::move(text), error);
     }
 
-    /// Ends the reading: a value that nobody asked for is an Error, or a note where it only advises.
-    void finish(bool advisory = false);
+    /// The children of this tag, refs followed.
+    std::vector<const XmlElement*> parts(const std::string& tag);
+    /// The one child of this tag, refs followed; null where there is none. Throws Error for a second one.
+    const XmlElement* part(const std::string& tag);
+    /// Gives a value that the file's version implies where the file has none.
+    void assume(const std::string& name, const std::string& value);
+
+    /// Ends the reading: notes what is known to have no effect; what else nobody asked for is an Error.
+    void finish();
 
 private:
-    const XmlElement* take(const std::string& name);
+    const XmlElement* take(const std::string& name, const Form& form);
     Spectrum constant(const std::string& name, const Spectrum& otherwise, bool emission, double most);
 
     const XmlElement& element_;
     Loader& loader_;
     std::map<std::string, const XmlElement*> values_;
-    std::set<std::string> known_;
+    std::list<XmlElement> assumed_;
 };
 
+/// Reports what nobody asked for of an element and of what was read within it: an Error with the place, what was found
+/// and what is accepted; a note where the user is lenient. It is reported once.
+void report_unread(const XmlElement& element, Loader& loader);
+/// Names of values of a tag that Mitsuba knows and that have no effect on what Plumb computes.
+const std::vector<std::string>& names_without_effect(const std::string& tag);
+/// Notes an element that only advises, such as an integrator; of what is in it only the form is read.
+void pass_over(const XmlElement& element, Loader& loader);
+
 Spectrum parse_spectrum(const XmlElement& element, bool emission);
-Transform parse_transform(const XmlElement& element);
+/// The map of a <transform>: of space, or of a texture's (u, v), whose matrices of nine numbers are those of the plane.
+Transform parse_transform(const XmlElement& element, bool of_texture = false);
 Vec3 parse_vector(const XmlElement& element, Vec3 otherwise);
 
 description::TextureId load_texture(const XmlElement& element, Loader& loader);
@@ -84,5 +108,7 @@ description::Shape load_shape(const XmlElement& element, Loader& loader);
 description::AreaEmitter load_area_emitter(const XmlElement& element, Loader& loader);
 description::Emitter load_emitter(const XmlElement& element, Loader& loader);
 description::Sensor load_sensor(const XmlElement& element, Loader& loader);
+/// The camera of a scene that names none, as Mitsuba's: 45 degrees, along +z, from where it sees all shapes.
+description::Sensor default_sensor(const XmlElement& scene, Loader& loader);
 
 }  // namespace plumb::mitsuba

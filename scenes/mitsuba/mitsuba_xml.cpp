@@ -20,6 +20,7 @@ const XmlElement& Loader::resolve(const XmlElement& element) const {
         if (found == named.end()) throw element.place.error(fmt::format("<ref> to '{}', but nothing has this id", id));
         if (hops > named.size()) throw element.place.error(fmt::format("<ref> to '{}' goes round in a circle", id));
         target = found->second;
+        target->reading.referred = true;
     }
     return *target;
 }
@@ -42,12 +43,12 @@ namespace {
 
 void index_ids(const XmlElement& element, Loader& loader) {
     for (const XmlElement& child : element.children) {
-        if (child.has("id") && child.tag != "ref") {
-            const auto [found, is_new] = loader.named.try_emplace(child.attribute("id"), &child);
-            if (!is_new) {
+        // Whether an id is accepted is up to whoever reads the element.
+        if (const auto id = child.attributes.find("id"); id != child.attributes.end() && child.tag != "ref") {
+            const auto [found, is_new] = loader.named.try_emplace(id->second, &child);
+            if (!is_new)
                 throw child.place.error(
-                    fmt::format("the id '{}' is taken by line {}", child.attribute("id"), found->second->place.line));
-            }
+                    fmt::format("the id '{}' is taken by line {}", id->second, found->second->place.line));
         }
         index_ids(child, loader);
     }
@@ -55,6 +56,7 @@ void index_ids(const XmlElement& element, Loader& loader) {
 
 void load_element(const XmlElement& element, Loader& loader) {
     description::Scene& scene = loader.scene;
+    element.reading.taken = true;
     if (element.tag == "shape") {
         scene.shapes.push_back(load_shape(element, loader));
     } else if (element.tag == "bsdf") {
@@ -64,17 +66,47 @@ void load_element(const XmlElement& element, Loader& loader) {
     } else if (element.tag == "emitter") {
         scene.emitters.push_back(load_emitter(element, loader));
     } else if (element.tag == "sensor") {
+        description::Sensor sensor = load_sensor(element, loader);
         if (scene.sensor)
             loader.ignored(element.place, "another sensor");
         else
-            scene.sensor = load_sensor(element, loader);
-    } else if (element.tag == "integrator" || element.tag == "sampler") {
-        loader.ignored(element.place, fmt::format("{} '{}'", element.tag, element.attribute("type")));
+            scene.sensor = std::move(sensor);
+    } else if (element.tag == "integrator") {
+        pass_over(element, loader);
+    } else if (element.tag == "default") {
+        element.reading.passed_over = true;
+        loader.ignored(element.place,
+                       fmt::format("the default of ${}, for which nothing asks", element.attribute("name")));
     } else {
         throw element.place.error(
             unknown_name("element", element.tag,
                          {"bsdf", "default", "emitter", "include", "integrator", "sensor", "shape", "texture"})
                 .what());
+    }
+}
+
+void accept_one(const XmlElement& root, const std::string& tag) {
+    const XmlElement* first = nullptr;
+    for (const XmlElement& child : root.children) {
+        if (child.tag != tag) continue;
+        if (first) throw child.place.error(fmt::format("a second {}; the first is in line {}", tag, first->place.line));
+        first = &child;
+    }
+}
+
+// What stands at the root for others to refer to, and is referred to by none.
+void report_unreferred(const XmlElement& root, Loader& loader) {
+    for (const XmlElement& child : root.children) {
+        if ((child.tag != "bsdf" && child.tag != "texture") || child.reading.referred) continue;
+        const std::string what = fmt::format("{} '{}'", child.tag, child.attribute("type"));
+        if (child.has("id"))
+            loader.ignored(child.place, fmt::format("{}: no <ref> to '{}'", what, child.attribute("id")));
+        else
+            loader.replaced(
+                child.place, fmt::format("{} by its absence", what),
+                child.place.error(fmt::format("{} at the root without an id, so that nothing can refer to it; "
+                                              "an id, or a place within what uses it, is accepted",
+                                              what)));
     }
 }
 
@@ -99,9 +131,13 @@ std::uint64_t content_hash(const XmlElement& root, const Loader& loader) {
 
 description::Scene load_mitsuba(const std::filesystem::path& file, const LoadOptions& options) {
     const XmlElement root = read_xml_tree(file, options.definitions);
-    mitsuba::Loader loader{.options = options};
+    mitsuba::Loader loader{.options = options, .folder = file.parent_path()};
     mitsuba::index_ids(root, loader);
+    mitsuba::accept_one(root, "integrator");
     for (const XmlElement& element : root.children) mitsuba::load_element(element, loader);
+    mitsuba::report_unread(root, loader);
+    mitsuba::report_unreferred(root, loader);
+    if (!loader.scene.sensor) loader.scene.sensor = mitsuba::default_sensor(root, loader);
     loader.scene.content_hash = mitsuba::content_hash(root, loader);
     return std::move(loader.scene);
 }

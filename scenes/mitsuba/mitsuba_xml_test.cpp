@@ -96,11 +96,11 @@ TEST_F(MitsubaXml, IncludesAndRefusesToIncludeItself) {
 }
 
 TEST_F(MitsubaXml, LenientReplacesAndLists) {
-    const std::string body = R"(<bsdf type="bumpmap"><texture name="map" type="wood"/><bsdf type="plastic"/></bsdf>
+    const std::string body = R"(<bsdf type="bumpmap" id="b"><texture name="map" type="wood"/><bsdf type="plastic"/></bsdf>
 <shape type="cube"><bsdf type="hair"><float name="longitude" value="1"/></bsdf></shape>)";
     EXPECT_EQ(says(body).substr(0, 50), "a.xml:2: unknown bsdf 'bumpmap'; there are conduct");
     const Scene scene = load(body, {.lenient = true});
-    ASSERT_EQ(scene.notes.size(), 2u);
+    ASSERT_EQ(scene.notes.size(), 4u);  // and that nothing refers to the first, and that there is no sensor
     EXPECT_EQ(scene.notes[0].text, "bsdf 'bumpmap' by its child");
     EXPECT_EQ(scene.notes[1].text, "bsdf 'hair' by grey diffuse");
     EXPECT_EQ(scene.notes[1].place.line, 3);

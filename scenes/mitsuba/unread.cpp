@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "scenes/mitsuba/loader.h"
+
+namespace plumb::mitsuba {
+
+namespace {
+
+const std::vector<std::string> values{"boolean", "float",  "integer", "point",     "rgb",   "spectrum",
+                                      "srgb",    "string", "texture", "transform", "vector"};
+const std::vector<std::string> things{"bsdf",    "emitter", "film",   "integrator", "medium",     "phase",   "ref",
+                                      "rfilter", "sampler", "sensor", "shape",      "subsurface", "texture", "volume"};
+
+bool is_in(const std::vector<std::string>& list, const std::string& tag) {
+    return std::ranges::find(list, tag) != list.end();
+}
+
+std::string label(const XmlElement& element) {
+    const auto type = element.attributes.find("type");
+    return type == element.attributes.end() ? fmt::format("<{}>", element.tag) : type->second;
+}
+
+/// What may stand within the element, in words.
+std::string accepted(const XmlElement& element) {
+    std::vector<std::string> said;
+    if (const auto& names = element.reading.names; !names.empty())
+        said.push_back(fmt::format("values by the names {}", fmt::join(names, ", ")));
+    for (const std::string& part : element.reading.parts) said.push_back(fmt::format("<{}>", part));
+    return said.empty() ? "nothing is accepted there" : fmt::format("accepted are {}", fmt::join(said, " and "));
+}
+
+/// The mistake that a child is which nobody read.
+std::string mistake(const XmlElement& child, const XmlElement& parent) {
+    const std::string within = label(parent);
+    const bool is_value = is_in(values, child.tag);
+    if (const auto name = child.attributes.find("name"); name != child.attributes.end() && is_value) {
+        const auto& names = parent.reading.names;
+        if (names.empty()) return fmt::format("'{}' within {}; {}", name->second, within, accepted(parent));
+        return unknown_name(fmt::format("property of {}", within), snake_case(name->second),
+                            {names.begin(), names.end()})
+            .what();
+    }
+    if (is_value) return fmt::format("<{}> without a name within {}; {}", child.tag, within, accepted(parent));
+    std::vector<std::string> tags = values;
+    tags.insert(tags.end(), parent.reading.parts.begin(), parent.reading.parts.end());
+    if (const std::string near = nearest_name(child.tag, tags); !is_in(things, child.tag) && !near.empty())
+        return fmt::format("unknown element <{}> within {}; did you mean <{}>?", child.tag, within, near);
+    if (child.tag == "ref" && !parent.reading.names.empty())
+        return fmt::format("<ref> to '{}' within {}, where nothing takes it; {}", child.attribute("id"), within,
+                           accepted(parent));
+    return fmt::format("<{}> within {}, where nothing takes it; {}", child.tag, within, accepted(parent));
+}
+
+void report_attributes(const XmlElement& element, Loader& loader) {
+    for (const auto& [name, value] : element.attributes) {
+        const auto& asked = element.reading.attributes;
+        if (asked.contains(name)) continue;
+        const std::vector<std::string> known(asked.begin(), asked.end());
+        const std::string what = fmt::format("attribute of <{}>", element.tag);
+        loader.replaced(element.place, fmt::format("the attribute '{}' of <{}> by its absence", name, element.tag),
+                        element.place.error(known.empty() ? fmt::format("unknown {} '{}'; none is accepted", what, name)
+                                                          : unknown_name(what, name, known).what()));
+    }
+    for (const auto& [name, value] : element.attributes) element.reading.attributes.insert(name);
+}
+
+}  // namespace
+
+void report_unread(const XmlElement& element, Loader& loader) {
+    if (element.reading.passed_over) return;
+    report_attributes(element, loader);
+    for (const XmlElement& child : element.children) {
+        if (child.reading.taken) {
+            report_unread(child, loader);
+            continue;
+        }
+        const auto name = child.attributes.find("name");
+        const std::string what = name == child.attributes.end() ? fmt::format("<{}>", child.tag)
+                                                                : fmt::format("'{}'", snake_case(name->second));
+        loader.replaced(child.place, fmt::format("{} of {} by its absence", what, label(element)),
+                        child.place.error(mistake(child, element)));
+        child.reading.taken = child.reading.passed_over = true;
+    }
+}
+
+const std::vector<std::string>& names_without_effect(const std::string& tag) {
+    static const std::map<std::string, std::vector<std::string>> names{
+        {"bsdf", {"specular_sampling_weight"}},
+        {"emitter", {"cache", "mis_compensation", "sampling_weight"}},
+        {"film",
+         {"attach_log", "banner", "burn", "compensate", "component_format", "exposure", "file_format", "gamma",
+          "high_quality_edges", "key", "pixel_format", "sample_border", "tonemap_method"}},
+        {"sensor", {"far_clip", "focus_distance", "near_clip", "shutter_close", "shutter_open"}},
+        {"texture", {"accel", "cache", "max_anisotropy"}}};
+    static const std::vector<std::string> none;
+    const auto found = names.find(tag);
+    return found == names.end() ? none : found->second;
+}
+
+void pass_over(const XmlElement& element, Loader& loader) {
+    XmlProperties properties(element, loader);
+    loader.ignored(element.place, fmt::format("{} '{}'", element.tag, element.attribute("type")));
+    for (const XmlElement& child : element.children) {
+        if (is_in(things, child.tag)) {
+            child.reading.taken = child.reading.passed_over = true;
+        } else if (is_in(values, child.tag) && child.has("name")) {
+            child.reading.taken = true;
+            if (child.tag == "transform")
+                parse_transform(child);
+            else if (child.tag == "point" || child.tag == "vector")
+                parse_vector(child, {});
+            else
+                static_cast<void>(child.attribute("value"));
+        }
+    }
+    properties.finish();
+}
+
+}  // namespace plumb::mitsuba
