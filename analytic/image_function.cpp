@@ -16,7 +16,7 @@ std::size_t index_of(const Image& image, std::string_view channel) {
 
 }  // namespace
 
-ImageFunction::ImageFunction(std::shared_ptr<const Image> image, std::vector<double> weights, Lookup lookup)
+ImageFunction::ImageFunction(std::shared_ptr<const Image> image, std::vector<double> weights, ImageLookup lookup)
     : image_(std::move(image)), weights_(std::move(weights)), lookup_(lookup) {}
 
 double ImageFunction::pixel(int x, int y) const {
@@ -29,7 +29,7 @@ double ImageFunction::pixel(int x, int y) const {
 double ImageFunction::operator()(const Point<2>& p) const {
     const int right = image_->width - 1, bottom = image_->height - 1;
     const double x = p[0] * image_->width, y = p[1] * image_->height;
-    if (lookup_ == Lookup::nearest)
+    if (lookup_ == ImageLookup::nearest)
         return pixel(std::min(static_cast<int>(x), right), std::min(static_cast<int>(y), bottom));
     const int left = static_cast<int>(std::floor(x - 0.5)), above = static_cast<int>(std::floor(y - 0.5));
     const double s = x - 0.5 - left, t = y - 0.5 - above;

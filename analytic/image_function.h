@@ -10,7 +10,7 @@
 namespace plumb {
 
 /// The lookup that makes a function of pixels.
-enum class Lookup {
+enum class ImageLookup {
     nearest,   ///< the pixel that holds the point
     bilinear,  ///< linear between the centres of pixels, constant in the half pixel along the border
 };
@@ -21,7 +21,7 @@ enum class Lookup {
 class ImageFunction {
 public:
     /// weights: what each channel counts, one number a channel.
-    ImageFunction(std::shared_ptr<const Image> image, std::vector<double> weights, Lookup lookup);
+    ImageFunction(std::shared_ptr<const Image> image, std::vector<double> weights, ImageLookup lookup);
 
     double operator()(const Point<2>& p) const;
     /// ∫ over [0,1]²: the mean of all pixels.
@@ -32,7 +32,7 @@ private:
 
     std::shared_ptr<const Image> image_;
     std::vector<double> weights_;
-    Lookup lookup_;
+    ImageLookup lookup_;
 };
 
 /// The weights of a channel by its name, or of "luminance" (Rec. 709: 0.2126 R + 0.7152 G + 0.0722 B of the file's own

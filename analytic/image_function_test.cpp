@@ -14,7 +14,7 @@ std::shared_ptr<const Image> three_by_two() {
 }
 
 TEST(ImageFunction, NearestTakesThePixelThatHoldsThePoint) {
-    const ImageFunction f(three_by_two(), {1}, Lookup::nearest);
+    const ImageFunction f(three_by_two(), {1}, ImageLookup::nearest);
     EXPECT_EQ(f({0, 0}), 0);
     EXPECT_EQ(f({0.5, 0}), 1);
     EXPECT_EQ(f({0.99, 0.49}), 2);
@@ -24,7 +24,7 @@ TEST(ImageFunction, NearestTakesThePixelThatHoldsThePoint) {
 }
 
 TEST(ImageFunction, BilinearIsLinearBetweenCentresAndConstantBeyond) {
-    const ImageFunction f(three_by_two(), {1}, Lookup::bilinear);
+    const ImageFunction f(three_by_two(), {1}, ImageLookup::bilinear);
     EXPECT_EQ(f({0, 0}), 0);
     EXPECT_DOUBLE_EQ(f({0.5, 0.25}), 1);
     EXPECT_DOUBLE_EQ(f({1. / 3, 0.25}), 0.5);
@@ -41,7 +41,7 @@ TEST(ImageFunction, WeighsChannels) {
     const Image image{1, 1, {"R", "G", "B", "A"}, {1, 2, 4, 0.5}};
     EXPECT_THAT(channel_names(image), ElementsAre("R", "G", "B", "A", "luminance"));
     EXPECT_THAT(channel_weights(image, "G"), ElementsAre(0, 1, 0, 0));
-    const ImageFunction f(std::make_shared<Image>(image), channel_weights(image, "luminance"), Lookup::nearest);
+    const ImageFunction f(std::make_shared<Image>(image), channel_weights(image, "luminance"), ImageLookup::nearest);
     EXPECT_DOUBLE_EQ(f({0.5, 0.5}), 0.2126 + 2 * 0.7152 + 4 * 0.0722);
     EXPECT_THROW(channel_weights(image, "Z"), Error);
     EXPECT_THAT(channel_names({1, 1, {"Y"}, {1}}), ElementsAre("Y"));

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cli/command_test.h"
 #include "core/image.h"
@@ -9,6 +10,7 @@ namespace plumb::cli {
 namespace {
 
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
@@ -73,6 +75,23 @@ TEST_F(ExplainCommand, ReadsWellAndTheSameTwice) {
     EXPECT_EQ(plumb(call).out, said.out);
     const Said light = plumb("explain cornell_box 64 100 5 --integrator light --seed 7");
     EXPECT_THAT(light.out, AllOf(HasSubstr("light 0"), HasSubstr("pdf per area")));
+}
+
+TEST_F(ExplainCommand, TellsWhatTheDriverLetsASampleCount) {
+    const std::string of = " --integrator direct --seed 7 --spp 64 --driver ";
+    std::set<double> weights;
+    for (int sample = 0; sample < 64; sample += 4) {  // of each pass one
+        const Json json = told("quad_light 60 70 " + std::to_string(sample) + of + "frameless -P pixel-share=0.5");
+        double sum = 0;
+        for (const Json& splat : json["splats"]) sum += double(splat["value"][1]);
+        EXPECT_NEAR(json["value"][1], sum * double(json["driver_weight"]), 1e-12);
+        EXPECT_EQ(json["driver"], "frameless");
+        EXPECT_EQ(json["parameters"]["pixel-share"], "0.5");
+        weights.insert(double(json["driver_weight"]));
+    }
+    EXPECT_THAT(weights, ElementsAre(0, 2));
+    EXPECT_EQ(told("quad_light 60 70 0" + of + "pixels")["driver_weight"], 1);
+    EXPECT_THAT(plumb("explain quad_light 60 70 0" + of + "pixels").out, HasSubstr("driver pixels: takes the sample"));
 }
 
 TEST_F(ExplainCommand, FollowsThePassesOfTheRender) {

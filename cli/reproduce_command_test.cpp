@@ -33,7 +33,7 @@ TEST_F(ReproduceCommand, LaysStatementsAgainstMeasurements) {
     EXPECT_THAT(said.out, AllOf(HasSubstr("met"), HasSubstr("run 1 in out/results.db, seed 7"),
                                 HasSubstr("page: out/reproduce/index.html")));
     const Json document = Json::parse(read("out/reproduce/headlines.json"));
-    EXPECT_EQ(document["run"]["seed"], "7");
+    EXPECT_EQ(document["run"]["seed"], 7);
     EXPECT_EQ(document["run"]["size"], "quick");
     const Json& list = document["headlines"];
     ASSERT_THAT(list, SizeIs(3));
@@ -47,7 +47,7 @@ TEST_F(ReproduceCommand, LaysStatementsAgainstMeasurements) {
     EXPECT_THAT(read("out/reproduce/headlines.csv"), HasSubstr("[Veach 1997],theorem 9.2,"));
     EXPECT_THAT(read("out/reproduce/index.html"),
                 AllOf(HasSubstr("<title>Plumb: What papers promise"), HasSubstr("\"id\":\"rates-combinations\""),
-                      HasSubstr("| Veach 1997 | *Robust Monte Carlo Methods"), HasSubstr("\"several\":true")));
+                      HasSubstr("*Robust Monte Carlo Methods"), HasSubstr("\"several\":true")));
     EXPECT_THAT(read("out/reproduce/rates-combinations-exp.svg"), HasSubstr("mis-balance"));
 }
 
@@ -56,7 +56,7 @@ TEST_F(ReproduceCommand, TakesShardsThatMergeJoins) {
     EXPECT_EQ(plumb(call + "--out whole").exit_code, 0);
     const Said part = plumb(call + "--shard 1/2 --store 1.db --out part");
     EXPECT_THAT(part.out, HasSubstr("of other shards: rates/smooth-1d"));
-    EXPECT_THAT(complaint("merge 1.db --store joined.db"), HasSubstr("missing of the run with seed 7: shard 2/2"));
+    EXPECT_THAT(complaint("merge 1.db --store joined.db"), HasSubstr("the run with seed 7 lacks shard 2/2"));
     EXPECT_EQ(plumb(call + "--shard 2/2 --store 2.db --out ''").exit_code, 0);
     for (int time = 0; time < 2; ++time) {
         const Said joined = plumb("merge 2.db 1.db --store joined.db --out joined");
@@ -69,7 +69,7 @@ TEST_F(ReproduceCommand, TakesShardsThatMergeJoins) {
 }
 
 TEST_F(ReproduceCommand, GoesOnWhereItWasInterrupted) {
-    const std::vector<std::string> much = {"reproduce", "rates", "densities", "boundary", "--seed", "7"};
+    const std::vector<std::string> much = {"reproduce", "rates", "boundary/strata", "--seed", "7"};
     std::vector<std::string> whole = much, interrupted = much;
     whole.insert(whole.end(), {"--store", "whole.db", "--out", "whole"});
     interrupted.insert(interrupted.end(), {"--store", "a.db", "--out", "a"});
@@ -77,8 +77,12 @@ TEST_F(ReproduceCommand, GoesOnWhereItWasInterrupted) {
 
     Program stopped(folder.path(), interrupted);
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(2);
-    while ((!std::filesystem::exists(folder / "a.db") || newest("a.db").series.empty()) &&
-           std::chrono::steady_clock::now() < give_up)
+    const auto has_one = [&] {
+        const std::filesystem::path store = folder / "a.db";
+        return std::filesystem::exists(store) && std::filesystem::file_size(store) > 0 &&
+               !newest("a.db").series.empty();
+    };
+    while (!has_one() && std::chrono::steady_clock::now() < give_up)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     stopped.send(SIGINT);
     EXPECT_EQ(stopped.wait(), 130);

@@ -106,7 +106,15 @@ function(plumb_test name)
   target_link_libraries(${name} PRIVATE plumb_options GTest::gmock GTest::gtest_main ${arg_DEPENDS})
   plumb_precompiled_headers(${name} plumb_test_pch LIBRARY GTest::gmock HEADERS <gtest/gtest.h> <gmock/gmock.h>)
   include(GoogleTest)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
+  set(environment "")
+  if(PLUMB_SANITIZE STREQUAL "thread")
+    set(environment ENVIRONMENT "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/tsan.supp ignore_noninstrumented_modules=1")
+  elseif(PLUMB_SANITIZE MATCHES "address")
+    # LeakSanitizer takes a wrong range for the thread-local memory of libraries that are loaded late (OpenImageIO), and
+    # ends by a fault of its own.
+    set(environment ENVIRONMENT "ASAN_OPTIONS=intercept_tls_get_addr=0")
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300 ${environment})
 endfunction()
 
 # Compiles files of claims and writes catalogue.cpp: shipped_catalogue(), which calls each of them in the order given. A

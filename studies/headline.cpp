@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "core/error.h"
+#include "core/named.h"
 #include "studies/study.h"
 #include "verification/evidence/convergence.h"
 #include "verification/evidence/distributions.h"
@@ -63,7 +63,7 @@ Quantity seconds(Points points, double) {
     return {std::log(points.back().seconds), std::numeric_limits<double>::infinity()};
 }
 
-struct Measure {
+struct NamedMeasure {
     const char *name, *label;
     Quantity (*of)(Points points, double integral);
     bool logarithmic = true;  ///< `of` is a logarithm, and a comparison a ratio
@@ -71,22 +71,20 @@ struct Measure {
     const char* indecisive = nullptr;  ///< why it decides nothing
 };
 constexpr std::array measures = {
-    Measure{"slope", "slope of the MSE", slope, false, true},
-    Measure{"mse", "MSE", mse},
-    Measure{"rmse", "RMSE", rmse},
-    Measure{"relative_mse", "MSE / I²", relative_mse, false},
-    Measure{"relative_bias", "|bias / I|", relative_bias, false, false, false},
-    Measure{"efficiency", "1 / (MSE × evaluations)", efficiency},
-    Measure{.name = "seconds",
-            .label = "seconds",
-            .of = seconds,
-            .indecisive = "seconds depend on the machine and decide nothing"},
+    NamedMeasure{"slope", "slope of the MSE", slope, false, true},
+    NamedMeasure{"mse", "MSE", mse},
+    NamedMeasure{"rmse", "RMSE", rmse},
+    NamedMeasure{"relative_mse", "MSE / I²", relative_mse, false},
+    NamedMeasure{"relative_bias", "|bias / I|", relative_bias, false, false, false},
+    NamedMeasure{"efficiency", "1 / (MSE × evaluations)", efficiency},
+    NamedMeasure{.name = "seconds",
+                 .label = "seconds",
+                 .of = seconds,
+                 .indecisive = "seconds depend on the machine and decide nothing"},
 };
 
-const Measure& find_measure(std::string_view name) {
-    for (const Measure& measure : measures)
-        if (name == measure.name) return measure;
-    throw unknown_name("measure", name, headline_measures());
+const NamedMeasure& find_measure(std::string_view name) {
+    return find_named(measures, name, "measure", &NamedMeasure::name);
 }
 
 const Series& series_of(const reports::FigurePanel& panel, std::string_view estimator) {
@@ -110,7 +108,7 @@ Points points_of(const Series& series, const HeadlinePlan& plan) {
 }
 
 /// "MSE of A / MSE of B on exp, n = 1024"
-std::string in_words(const HeadlinePlan& plan, const Measure& measure) {
+std::string in_words(const HeadlinePlan& plan, const NamedMeasure& measure) {
     std::string text = fmt::format("{} of {}", measure.label, plan.estimator);
     if (!plan.against.empty())
         text += fmt::format(" {} {} of {}", measure.logarithmic ? "/" : "−",
@@ -119,7 +117,7 @@ std::string in_words(const HeadlinePlan& plan, const Measure& measure) {
     return plan.from == plan.to ? text : fmt::format("{} to {}", text, plan.to);
 }
 
-Interval interval_of(const Quantity& quantity, const Measure& measure) {
+Interval interval_of(const Quantity& quantity, const NamedMeasure& measure) {
     const double half = normal_upper_quantile((1 - reports::headline_level) / 2) * quantity.error;
     const Interval interval{quantity.value - half, quantity.value + half};
     if (measure.logarithmic) return {std::exp(interval.low), std::exp(interval.high)};
@@ -127,7 +125,7 @@ Interval interval_of(const Quantity& quantity, const Measure& measure) {
 }
 
 /// Why the number cannot be laid against the statement; empty where it can.
-std::string obstacle(const Quantity& quantity, const Measure& measure) {
+std::string obstacle(const Quantity& quantity, const NamedMeasure& measure) {
     if (measure.indecisive) return measure.indecisive;
     if (!std::isfinite(quantity.value)) return "the number is not defined: an error is 0 or not known";
     if (!std::isfinite(quantity.error)) return "the number has no error bar: the estimator is deterministic";
@@ -138,7 +136,7 @@ std::string obstacle(const Quantity& quantity, const Measure& measure) {
 
 std::vector<std::string> headline_measures() {
     std::vector<std::string> names;
-    for (const Measure& measure : measures) names.emplace_back(measure.name);
+    for (const NamedMeasure& measure : measures) names.emplace_back(measure.name);
     return names;
 }
 
@@ -158,7 +156,7 @@ reports::Headline measure_headline(const HeadlinePlan& plan, const reports::Figu
     headline.value = std::numeric_limits<double>::quiet_NaN();
     if (plan.measure.empty()) return headline;
 
-    const Measure& measure = find_measure(plan.measure);
+    const NamedMeasure& measure = find_measure(plan.measure);
     const auto& panel = *std::ranges::find(figure.panels, plan.integrand, &reports::FigurePanel::integrand);
     const auto of = [&](const std::string& estimator) {
         return measure.of(points_of(series_of(panel, estimator), plan), panel.integral);

@@ -4,19 +4,17 @@
 
 #include <fmt/ranges.h>
 
+#include "core/named.h"
+
 namespace plumb {
 namespace {
 
 const std::vector<std::string> texts = {"source", "place", "states", "quotes", "remark"};
 
 const FigurePlan& figure_of(const Study& study, const Section& section) {
-    const std::string id = section.text("figure");
-    std::vector<std::string> known;
-    for (const FigurePlan& figure : study.figures) {
-        if (figure.about.id == id) return figure;
-        known.push_back(figure.about.id);
-    }
-    section.fail("figure", unknown_name("figure", id, known).what());
+    const auto id_of = [](const FigurePlan& figure) -> std::string_view { return figure.about.id; };
+    return *section.read(
+        "figure", [&](const auto&) { return &find_named(study.figures, section.text("figure"), "figure", id_of); });
 }
 
 /// A name that the figure lists.

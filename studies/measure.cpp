@@ -2,7 +2,9 @@
 
 #include <fmt/ranges.h>
 
+#include "analytic/any_integrand.h"
 #include "core/error.h"
+#include "core/named.h"
 #include "studies/scene_series.h"
 #include "verification/evidence/convergence.h"
 
@@ -38,17 +40,24 @@ reports::FigurePanel measure_panel(const Study& study, const FigurePlan& plan, c
     return panel;
 }
 
-reports::FigurePanel measure_scene_panel(const FigurePlan& plan, const std::string& scene, const Run& run,
-                                         const std::function<void(const std::string&)>& progress) {
-    const std::string what = fmt::format("{}: {} on {}", plan.about.id, fmt::join(plan.estimators, ", "), scene);
+reports::FigurePanel measure_panel(const Study& study, const FigurePlan& plan, const ScenePart& part, const Run& run,
+                                   const std::function<void(const std::string&)>& progress) {
+    const std::string what = fmt::format("{}: {} on {}", plan.about.id, fmt::join(plan.estimators, ", "), part.id);
     progress(what);
+    reports::FigurePanel panel{.integrand = part.id, .series = {}, .unit = "rays"};
+    SceneMeasure measure{{}, plan.budget.counts, plan.replicates, plan.reference};
+    for (const std::string& id : plan.estimators) {
+        measure.methods.push_back(find_scene_method(study, id));
+        panel.methods[id] = in_words(measure.methods.back());
+    }
     try {
-        SceneSeries measured =
-            measure_scene(scene, {plan.estimators, plan.budget.counts, plan.replicates, plan.reference}, run);
-        return {.integrand = scene, .integral = measured.truth, .series = std::move(measured.series), .unit = "rays"};
+        SceneSeries measured = measure_scene(part, measure, run);
+        panel.integral = measured.truth;
+        panel.series = std::move(measured.series);
     } catch (const Error& error) {
         throw Error(fmt::format("{}: {}", what, error.what()));
     }
+    return panel;
 }
 
 }  // namespace
@@ -94,11 +103,12 @@ template std::uint64_t samples_within<2>(std::uint64_t, const Estimator<2>&, con
 reports::FigureResult measure_figure(const Study& study, const FigurePlan& plan, const Run& run,
                                      const std::function<void(const std::string&)>& progress) {
     reports::FigureResult figure{plan.about, {}};
-    for (const std::string& id : plan.integrands)
-        figure.panels.push_back(
-            knows_integrand<1>(id)   ? measure_panel(study, plan, find_integrand<1>(id), run, progress)
-            : knows_integrand<2>(id) ? measure_panel(study, plan, find_integrand<2>(id), run, progress)
-                                     : measure_scene_panel(plan, id, run, progress));
+    for (const std::string& id : plan.integrands) {
+        const auto measured = [&](const auto& subject) { return measure_panel(study, plan, subject, run, progress); };
+        const auto integrand = known_integrand(id);
+        figure.panels.push_back(integrand ? std::visit([&](const auto* f) { return measured(*f); }, *integrand)
+                                          : measured(find_named(study.scene_parts, id, "scene")));
+    }
     return figure;
 }
 

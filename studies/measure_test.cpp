@@ -11,7 +11,7 @@
 namespace plumb {
 namespace {
 
-using testing::ElementsAre, testing::HasSubstr, testing::StartsWith;
+using testing::AllOf, testing::ElementsAre, testing::EndsWith, testing::HasSubstr, testing::StartsWith;
 
 constexpr const char* tiny = R"(
 title = "A tiny study"
@@ -93,7 +93,7 @@ TEST(StudyFiles, HoldEveryPointAsARow) {
     ASSERT_EQ(rows.size(), 1U + 2 * 3 * 3 + 3);
     EXPECT_EQ(rows[0],
               "figure,estimator,integrand,n,evaluations,seconds,mse,mse_low,mse_high,bias,bias_standard_error,"
-              "replicates,integral");
+              "replicates,integral,method");
     const ConvergencePoint& first = result.figures[0].panels[0].series[0].points[0];
     EXPECT_THAT(rows[1], StartsWith("errors,independent,exp,4,4,"));
     EXPECT_THAT(rows[1],
@@ -114,6 +114,32 @@ TEST(StudyFiles, StandInTheirFolderTogether) {
     const TestFolder folder;
     reports::write_folder(folder / "study", reports::study_files(measured_study()));
     EXPECT_THAT(read_file(folder / "study" / "series.csv"), StartsWith("figure,estimator"));
+}
+
+TEST(MeasureStudy, SaysAllThatAMethodOfScenesIs) {
+    const Study study = parse_study(R"(
+title = "Parameters"
+replicates = 8
+n = [4, 16]
+[[estimator]]
+id = "early roulette"
+method = "render"
+integrator = "path"
+parameters = { roulette-start = 2 }
+[[figure]]
+id = "floor"
+estimators = ["early roulette", "path+sobol"]
+integrands = ["quad_light:60,70,4,4"]
+)",
+                                    "scene.toml");
+    reports::StudyResult result;
+    result.figures = measure_study(study, plumb::Run(5, "study", 1), [](const auto&) {});
+    const auto& methods = result.figures.at(0).panels.at(0).methods;
+    EXPECT_EQ(methods.at("early roulette"), "path, independent, roulette-start=2");
+    EXPECT_EQ(methods.at("path+sobol"), "path, sobol-owen, roulette-start=5");
+    const std::vector<std::string> rows = lines(reports::study_csv(result));
+    EXPECT_THAT(rows.front(), EndsWith(",integral,method"));
+    EXPECT_THAT(rows.at(1), EndsWith(",\"path, independent, roulette-start=2\""));
 }
 
 TEST(MeasureStudy, MeasuresIntegratorsOnScenes) {

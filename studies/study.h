@@ -9,6 +9,8 @@
 #include "estimators/estimator.h"
 #include "reports/study/study_result.h"
 #include "studies/headline.h"
+#include "studies/scene_method.h"
+#include "studies/scene_part.h"
 
 namespace plumb {
 
@@ -33,6 +35,8 @@ struct Study {
     std::optional<std::uint64_t> seed;
     std::vector<Estimator<1>> estimators_1d;  ///< its own, beside the shipped ones
     std::vector<Estimator<2>> estimators_2d;
+    std::vector<SceneMethod> scene_methods;
+    std::vector<ScenePart> scene_parts;  ///< that stand for integrands in its figures
     std::vector<FigurePlan> figures;
     std::vector<HeadlinePlan> headlines;
 };
@@ -48,6 +52,9 @@ auto& own_estimators(auto& study) {
 /// An estimator of the study's own, or a shipped one; throws Error naming the nearest one.
 template <int D>
 const Estimator<D>& find_estimator(const Study& study, std::string_view id);
+
+/// A method of the study's own, or the one that scene_method() makes of the id.
+SceneMethod find_scene_method(const Study& study, const std::string& id);
 
 template <int D>
 bool knows_estimator(const Study& study, std::string_view id);

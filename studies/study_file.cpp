@@ -2,12 +2,11 @@
 
 #include <filesystem>
 
+#include "analytic/any_integrand.h"
 #include "core/error.h"
 #include "core/sample_counts.h"
-#include "estimators/replicates/batches.h"
-#include "estimators/reweighting/step_density_estimators.h"
+#include "studies/estimator_file.h"
 #include "studies/headline_file.h"
-#include "studies/scene_series.h"
 #include "studies/section.h"
 
 namespace plumb {
@@ -40,57 +39,6 @@ void read_measure(const Section& section, FigurePlan& plan) {
     if (section.has("slopes")) plan.about.slopes = section.numbers("slopes");
 }
 
-// ---- the study's own estimators
-
-template <int D>
-void add_batches(Study& study, const Section& section, const std::string& id, const std::string& of) {
-    if (!knows_estimator<D>(study, of)) return;
-    const Estimator<D> estimator = find_estimator<D>(study, of);
-    own_estimators<D>(study).push_back(section.has("size")
-                                           ? in_batches_of(id, estimator, section.count("size", 1, most_samples))
-                                           : batches_sharing(id, estimator, section.count("total", 1, most_samples)));
-}
-
-void read_batches(Study& study, const Section& section, const std::string& id) {
-    const std::string of = section.text("of");
-    if (section.has("size") == section.has("total")) section.fail("method", "batches need either size or total");
-    if (!knows_estimator<1>(study, of) && !knows_estimator<2>(study, of))
-        section.read("of", [&](const auto&) { return find_estimator<1>(study, of).id; });
-    add_batches<1>(study, section, id, of);
-    add_batches<2>(study, section, id, of);
-}
-
-StepDensity read_steps(const Section& section) {
-    const std::vector<double> masses = section.numbers("masses");
-    return section.read(section.has("edges") ? "edges" : "masses", [&](const auto&) {
-        return section.has("edges") ? StepDensity(section.numbers("edges"), masses) : StepDensity::equal_pieces(masses);
-    });
-}
-
-using StepEstimator = Estimator<1> (*)(std::string, StepDensity);
-const std::vector<std::pair<std::string, StepEstimator>> step_methods = {
-    {"step-importance", step_importance_estimator},
-    {"step-strata", step_strata_estimator},
-    {"step-reweighted", step_reweighted_estimator},
-};
-
-void read_estimator(Study& study, const toml::table& table, const std::string& file) {
-    const std::vector<std::string> for_batches = {"id", "method", "of", "size", "total"},
-                                   for_steps = {"id", "method", "masses", "edges"};
-    const bool batches = table["method"].value_exact<std::string>() == "batches";
-    const Section section(table, "estimator", file, batches ? for_batches : for_steps);
-    const std::string id = section.text("id"), method = section.text("method");
-    if (knows_estimator<1>(study, id) || knows_estimator<2>(study, id))
-        section.fail("id", fmt::format("'{}' is the name of another estimator", id));
-    if (batches) return read_batches(study, section, id);
-    std::vector<std::string> known = {"batches"};
-    for (const auto& [name, make] : step_methods) {
-        if (name == method) return study.estimators_1d.push_back(make(id, read_steps(section)));
-        known.push_back(name);
-    }
-    section.fail("method", unknown_name("method", method, known).what());
-}
-
 // ---- figures
 
 template <int D>
@@ -105,22 +53,27 @@ void check_estimators(const Study& study, const FigurePlan& plan, const Section&
             section.fail("metrics", fmt::format("{} of '{}', whose integral is 0", to_string(metric), f.id));
 }
 
-void check_names(const Study& study, const FigurePlan& plan, const Section& section) {
+void check_methods(const Study& study, const FigurePlan& plan, const Section& section, const ScenePart& part) {
+    section.read("estimators", [&](const auto&) {
+        for (const std::string& id : plan.estimators) find_scene_method(study, id);
+        return 0;
+    });
+    if (plan.budget.unit == Budget::Unit::evaluations)
+        section.fail("evaluations", fmt::format("of the scene '{}'; n is accepted", part.id));
+}
+
+/// Whatever figures are drawn of: scenes are loaded here.
+void read_subjects(Study& study, const FigurePlan& plan, const Section& section, LoadedScenes& scenes) {
     for (const std::string& id : plan.integrands) {
-        if (knows_integrand<1>(id)) {
-            check_estimators(study, plan, section, find_integrand<1>(id));
-        } else if (knows_integrand<2>(id)) {
-            check_estimators(study, plan, section, find_integrand<2>(id));
-        } else if (names_scene(id)) {
-            section.read("estimators", [&](const auto&) { return check_scene_methods(plan.estimators), 0; });
-            if (plan.budget.unit == Budget::Unit::evaluations)
-                section.fail("evaluations", fmt::format("of the scene '{}'; n is accepted", id));
-        } else {
-            std::vector<std::string> known;
-            for (const auto& f : integrands<1>()) known.push_back(f.id);
-            for (const auto& f : integrands<2>()) known.push_back(f.id);
-            section.fail("integrands", unknown_name("integrand", id, known).what());
+        if (const auto integrand = known_integrand(id)) {
+            std::visit([&](const auto* f) { check_estimators(study, plan, section, *f); }, *integrand);
+            continue;
         }
+        const auto part = section.read("integrands", [&](const auto&) { return scene_part(id, scenes); });
+        if (!part) section.read("integrands", [&](const auto&) { return find_any_integrand(id); });
+        check_methods(study, plan, section, *part);
+        if (std::ranges::find(study.scene_parts, id, &ScenePart::id) == study.scene_parts.end())
+            study.scene_parts.push_back(*part);
     }
 }
 
@@ -132,7 +85,8 @@ void check_id(const Study& study, const std::string& id, const Section& section)
         if (other.about.id == id) section.fail("id", fmt::format("'{}' is the id of an earlier figure", id));
 }
 
-void read_figure(Study& study, FigurePlan plan, const toml::table& table, const std::string& file) {
+void read_figure(Study& study, FigurePlan plan, const toml::table& table, const std::string& file,
+                 LoadedScenes& scenes) {
     std::vector<std::string> accepted = {"id", "title", "text", "source_says", "estimators", "integrands", "x_label"};
     accepted.insert(accepted.end(), measure_keys.begin(), measure_keys.end());
     const Section section(table, "figure", file, accepted);
@@ -146,7 +100,7 @@ void read_figure(Study& study, FigurePlan plan, const toml::table& table, const 
     plan.estimators = section.names("estimators");
     plan.integrands = section.names("integrands");
     if (plan.budget.counts.empty()) section.fail("n", "is missing; it, or evaluations, may also stand at the top");
-    check_names(study, plan, section);
+    read_subjects(study, plan, section, scenes);
     study.figures.push_back(std::move(plan));
 }
 
@@ -174,7 +128,8 @@ Study parse_study(std::string_view text, const std::string& file) {
     FigurePlan defaults;
     read_measure(top, defaults);
     for (const toml::table* estimator : top.tables("estimator")) read_estimator(study, *estimator, file);
-    for (const toml::table* figure : top.tables("figure")) read_figure(study, defaults, *figure, file);
+    LoadedScenes scenes({.lenient = true});
+    for (const toml::table* figure : top.tables("figure")) read_figure(study, defaults, *figure, file, scenes);
     for (const toml::table* headline : top.tables("headline"))
         study.headlines.push_back(read_headline(study, *headline, file));
     if (study.figures.empty()) throw Error(fmt::format("{}: no figure; at least one [[figure]] is needed", file));

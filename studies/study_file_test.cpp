@@ -176,6 +176,52 @@ TEST(StudyFile, OfAWrongEstimatorIsComplainedAbout) {
                 HasSubstr(":5: unknown key 'estimator.size'"));
 }
 
+std::string with_render(const std::string& lines) {
+    return "title = 'T'\nn = [4]\n[[estimator]]\nid = 'mine'\nmethod = 'render'\n" + lines +
+           "[[figure]]\nid = 'a'\nestimators = ['mine', 'path']\nintegrands = ['quad_light']\n";
+}
+
+TEST(StudyFile, TakesParametersOfIntegrators) {
+    const Study study = parse_study(with_render("integrator = 'path'\nsampler = 'sobol'\n"
+                                                "parameters = { roulette-start = 3 }\n"),
+                                    "s.toml");
+    const RenderMethod render = find_scene_method(study, "mine").render;
+    EXPECT_EQ(render.integrator, "path");
+    EXPECT_EQ(render.sampler, "sobol-owen");
+    EXPECT_EQ(render.parameters.at("roulette-start"), "3");
+    EXPECT_EQ(render.limits.roulette_edges, 3);
+    EXPECT_EQ(find_scene_method(study, "path").render.limits.roulette_edges, PathLimits{}.roulette_edges);
+}
+
+TEST(StudyFile, OfWrongParametersIsComplainedAboutInPlace) {
+    EXPECT_THAT(complaint(with_render("integrator = 'paht'\n")),
+                HasSubstr(":6: estimator.integrator: unknown integrator 'paht'; did you mean 'path'"));
+    EXPECT_THAT(complaint(with_render("integrator = 'path'\nsampler = 'sobl'\n")),
+                HasSubstr(":7: estimator.sampler: unknown sampler 'sobl'"));
+    EXPECT_THAT(complaint(with_render("integrator = 'path'\nparameters = { roulette-strat = 3 }\n")),
+                HasSubstr(":7: estimator.parameters: unknown parameter 'roulette-strat'; did you mean"));
+    EXPECT_THAT(complaint(with_render("integrator = 'path'\nparameters = { roulette-start = -3 }\n")),
+                HasSubstr(":7: estimator.parameters: parameter roulette-start is '-3'; accepted are 0 to "));
+    EXPECT_THAT(complaint(with_render("integrator = 'path'\nparameters = { roulette-start = [3] }\n")),
+                HasSubstr(":7: estimator.parameters: roulette-start is a list; a number"));
+    EXPECT_THAT(complaint(with_render("integrator = 'path'\nparameters = 3\n")),
+                HasSubstr(":7: estimator.parameters: 3 found; a table is accepted"));
+    EXPECT_THAT(complaint(with_render("integrator = 'path'\nsize = 3\n")),
+                HasSubstr(":7: unknown key 'estimator.size'"));
+}
+
+TEST(StudyFile, LoadsASceneOnceAndHoldsPartsToItsFilm) {
+    const auto on = [](const std::string& parts) {
+        return with_figure("id = 'a'\nestimators = ['path']\nintegrands = " + parts + "\n");
+    };
+    const Study study = parse_study(on("['quad_light', 'quad_light:8,8', 'quad_light:0,0,4,4']"), "s.toml");
+    ASSERT_EQ(study.scene_parts.size(), 3U);
+    EXPECT_EQ(study.scene_parts[0].scene, study.scene_parts[1].scene);
+    EXPECT_EQ(study.scene_parts[1].scene, study.scene_parts[2].scene);
+    EXPECT_THAT(complaint(on("['quad_light:8,9999']")),
+                HasSubstr("figure.integrands: quad_light:8,9999,1,1: accepted are pixels of a film of "));
+}
+
 TEST(StudyFile, TakesScenesForIntegrands) {
     const std::string scene = "id = 'a'\nestimators = ['path', 'path+sobol']\nintegrands = ['cornell_box:8,8']\n";
     EXPECT_EQ(parse_study(with_figure(scene + "reference = 'auto'\n"), "study.toml").figures.at(0).reference, "auto");

@@ -40,15 +40,15 @@ std::vector<std::string> files_of(const Options& options, std::size_t side) {
 // Image b may be named by its scene: its reference then, of paths as long as those of image a.
 void find_reference(std::vector<std::string>& files_b, const std::string& file_a, const Image& a,
                     const std::string& cache) {
-    const std::string scene = files_b.front();
-    const bool xml = std::filesystem::path(scene).extension() == ".xml";
-    if (files_b.size() > 1 || std::filesystem::is_regular_file(scene) != xml) return;
-    if (!xml && std::ranges::count(shipped_scene_names(), scene) == 0) return;
-    const Provenance identity = identity_of(scene, {.lenient = true});
+    const std::string asked = files_b.front();
+    const bool image = std::filesystem::is_regular_file(asked) && std::filesystem::path(asked).extension() != ".xml";
+    if (files_b.size() > 1 || image || !find_scene_file(asked)) return;
+    const NamedScene scene = read_scene(asked, {.lenient = true});
+    const Provenance identity = identity_of(scene);
     const std::optional<Provenance> said = provenance_of(a, file_a);
     if (said) require_same_scene(*said, identity, file_a);
     const auto longest = said ? longest_path_of(*said, file_a) : std::nullopt;
-    files_b.front() = require_reference(cache, identity, longest, scene).file.string();
+    files_b.front() = require_reference(cache, scene, longest).file.string();
 }
 
 void print_tiles(const ImageComparison& found) {

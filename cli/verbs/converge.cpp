@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
+#include <functional>
 
-#include "analytic/integrand.h"
+#include "analytic/any_integrand.h"
 #include "cli/common_options.h"
 #include "cli/session.h"
 #include "cli/verb.h"
@@ -32,45 +33,44 @@ struct Options {
     std::string json, report = "out/converge.html";
 };
 
-Series measure_any(const std::string& estimator, const std::string& integrand, const Options& options, const Run& run) {
-    const auto& [n, replicates] = std::tie(options.n, options.replicates);
-    if (knows_integrand<1>(integrand))
-        return measure_series(find_estimator<1>(estimator), find_integrand<1>(integrand), n, replicates, run);
-    if (knows_integrand<2>(integrand))
-        return measure_series(find_estimator<2>(estimator), find_integrand<2>(integrand), n, replicates, run);
-    std::vector<std::string> known;
-    for (const auto& f : integrands<1>()) known.push_back(f.id);
-    for (const auto& f : integrands<2>()) known.push_back(f.id);
-    throw unknown_name("integrand", integrand, known);
+/// Measures all estimators on what --on names; of a scene it says what the errors are measured against.
+using Measurement = std::function<std::vector<Series>(const Run& run, std::vector<std::string>& truths)>;
+
+template <int D>
+Measurement on_integrand(const Options& options, const Integrand<D>& f) {
+    if (!options.reference.empty())
+        throw Error(fmt::format("--reference for '{}'; accepted are scenes, and --images", f.id));
+    std::vector<const Estimator<D>*> estimators;
+    for (const std::string& id : options.estimators) estimators.push_back(&find_estimator<D>(id));
+    return [&options, &f, estimators](const Run& run, std::vector<std::string>&) {
+        std::vector<Series> series;
+        for (const Estimator<D>* estimator : estimators)
+            series.push_back(measure_series(*estimator, f, options.n, options.replicates, run));
+        return series;
+    };
 }
 
-// Every name is looked up before the first sample is drawn.
-void check_names(const Options& options) {
-    Options nothing = options;
-    nothing.n.clear();
-    const Run run(0, "names", 1);
-    for (const std::string& on : options.integrands) {
-        if (names_scene(on)) {
-            check_scene_methods(options.estimators);
-            continue;
-        }
-        if (!options.reference.empty())
-            throw Error(fmt::format("--reference for '{}'; accepted are scenes, and --images", on));
-        for (const std::string& estimator : options.estimators) measure_any(estimator, on, nothing, run);
-    }
-}
-
-std::vector<Series> measure_all(const std::string& on, const Options& options, const Run& run,
-                                std::vector<std::string>& truths) {
-    if (names_scene(on)) {
-        SceneSeries measured = measure_scene(
-            on, {options.estimators, options.n, options.replicates, options.reference, options.cache}, run);
-        truths.push_back(fmt::format("{}: {}", on, measured.said));
+Measurement on_scene(const Options& options, const ScenePart& part) {
+    SceneMeasure measure{{}, options.n, options.replicates, options.reference, options.cache};
+    for (const std::string& id : options.estimators) measure.methods.push_back(scene_method(id));
+    return [part, measure](const Run& run, std::vector<std::string>& truths) {
+        SceneSeries measured = measure_scene(part, measure, run);
+        truths.push_back(fmt::format("{}: {}", part.id, measured.said));
         return std::move(measured.series);
+    };
+}
+
+/// Every name is looked up, and every scene loaded, before the first sample is drawn.
+std::vector<Measurement> measurements(const Options& options) {
+    LoadedScenes scenes({.lenient = true});
+    std::vector<Measurement> all;
+    for (const std::string& on : options.integrands) {
+        const auto part = known_integrand(on) ? std::nullopt : scene_part(on, scenes);
+        all.push_back(
+            part ? on_scene(options, *part)
+                 : std::visit([&](const auto* f) { return on_integrand(options, *f); }, find_any_integrand(on)));
     }
-    std::vector<Series> series;
-    for (const std::string& estimator : options.estimators) series.push_back(measure_any(estimator, on, options, run));
-    return series;
+    return all;
 }
 
 // Of images that somebody has, in place of estimators and integrands.
@@ -90,16 +90,16 @@ int converge(const Options& options) {
     if (!options.images.empty()) return converge_images(options);
     if (options.estimators.empty() || options.integrands.empty())
         throw Error("converge: what? Give estimators and --on, or --images and --reference");
-    check_names(options);
+    const std::vector<Measurement> all = measurements(options);
     require_writable({options.json, options.report});
     Session session(options.seed, options.threads);
     const Run run(session.run.seed, "converge", 1);
     std::vector<Series> series;
     std::vector<std::string> truths;
     session.work([&] {
-        for (const std::string& on : options.integrands) {
-            session.show(fmt::format("{} on {}", fmt::join(options.estimators, ", "), on));
-            for (Series& one : measure_all(on, options, run, truths)) series.push_back(std::move(one));
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            session.show(fmt::format("{} on {}", fmt::join(options.estimators, ", "), options.integrands[i]));
+            for (Series& one : all[i](run, truths)) series.push_back(std::move(one));
         }
     });
     if (!options.json.empty()) write_file(options.json, reports::converge_json(session.run, series, truths));

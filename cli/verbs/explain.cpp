@@ -4,11 +4,20 @@
 #include "cli/session.h"
 #include "cli/verb.h"
 #include "cli/verbs/explain/explanation.h"
+#include "cli/verbs/path_options.h"
 #include "core/error.h"
 #include "core/file.h"
 
 namespace plumb::cli::verbs {
 namespace {
+
+/// One path of a render.
+struct Options : PathOptions {
+    int x = 0, y = 0;  ///< of the pixel
+    std::uint32_t sample = 0;
+    std::uint32_t replicates = 0;  ///< passes of the render; 0: as `render --spp` cuts them
+    std::string json;
+};
 
 // Sets of points, of sobol and stratified samples, are as long as a pass.
 void cut(RenderSettings& settings, std::uint32_t samples, std::uint32_t passes) {
@@ -19,24 +28,24 @@ void cut(RenderSettings& settings, std::uint32_t samples, std::uint32_t passes) 
     settings.samples_per_pass = samples / passes;
 }
 
-int explain(const ExplainOptions& options) {
+int explain(const Options& options) {
     const RenderMethod method = method_of(options);
     const auto estimator = estimator_of(method);
     require_writable({options.json});
     const Session session(options.seed, 1);
-    const Scene scene = load_scene(options);
-    RenderSettings settings = settings_of(options, session.run.seed, scene.sensor().film());
+    const LoadedScene scene = load_scene(options.scene, options.load);
+    RenderSettings settings = settings_of(options, session.run.seed, scene.scene.sensor().film());
     if (options.replicates > 0) cut(settings, options.samples_per_pixel, options.replicates);
-    const RenderJob job = job_of(method, scene, *estimator, settings);
+    const RenderJob job = job_of(method, scene.scene, *estimator, settings);
     const Explanation told = explain(job, options.x, options.y, options.sample);
-    const ExplainedSample sample{options, scene, told};
+    const ExplainedSample sample{scene, method, settings, options.x, options.y, options.sample, told};
     if (!options.json.empty()) write_file(options.json, explanation_json(sample));
     fmt::print("{}", explanation_text(sample));
     return 0;
 }
 
 Action add(CLI::App& verb) {
-    const auto options = std::make_shared<ExplainOptions>();
+    const auto options = std::make_shared<Options>();
     add_paths(verb, *options);
     verb.add_option("x", options->x, "the pixel's column, 0 at the left")->required();
     verb.add_option("y", options->y, "the pixel's row, 0 at the top")->required();

@@ -4,8 +4,6 @@
 
 #include "cli/common_options.h"
 #include "cli/values.h"
-#include "scenes/mitsuba/mitsuba_xml.h"
-#include "scenes/shipped/shipped.h"
 
 namespace plumb::cli {
 
@@ -35,11 +33,11 @@ void add_transport(CLI::App& verb, PathOptions& options) {
     verb.add_option_function<std::vector<std::string>>(
             "-D",
             [&](const std::vector<std::string>& texts) {
-                for (const std::string& text : texts) options.definitions.insert(parse_definition(text));
+                for (const std::string& text : texts) options.load.definitions.insert(parse_definition(text));
             },
             "what $name stands for in the scene's file, name=value; may be given several times")
         ->check(checked(parse_definition));
-    verb.add_flag("--lenient", options.lenient, "replace what Plumb lacks where it can, and list it");
+    verb.add_flag("--lenient", options.load.lenient, "replace what Plumb lacks where it can, and list it");
 }
 
 void add_paths(CLI::App& verb, PathOptions& options) {
@@ -55,14 +53,21 @@ void add_paths(CLI::App& verb, PathOptions& options) {
     add_parsed(verb, "--crop", options.crop, parse_crop, "render only these pixels: x,y,width,height");
 }
 
+CLI::Option* add_error(CLI::App& verb, RenderEnd& end) {
+    CLI::Option* error = add_parsed(verb, "--error", end.error, parse_error_target,
+                                    "double the passes until the picture's RMSE is at most this, 1e-3, or 1% of the "
+                                    "picture");
+    verb.add_option("--max-spp", end.most_samples, "samples of each pixel at which --error gives up")
+        ->check(CLI::Range(64u, 1u << 24))
+        ->needs(error)
+        ->capture_default_str();
+    return error;
+}
+
 RenderMethod method_of(const PathOptions& options) {
     PathLimits limits{options.max_depth, options.roulette_depth, options.length};
     if (!options.strategy.empty()) limits.strategy = Strategy{options.strategy[0], options.strategy[1]};
     return resolved({options.integrator, options.driver, options.sampler, limits, options.parameters});
-}
-
-Scene load_scene(const PathOptions& options) {
-    return Scene(load_mitsuba(scene_file(options.scene), {options.definitions, options.lenient}));
 }
 
 RenderSettings settings_of(const PathOptions& options, std::uint64_t seed, FilmSize film) {

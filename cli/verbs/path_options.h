@@ -1,18 +1,18 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "integrators/drivers/render.h"
+#include "cli/verbs/render_picture.h"
 #include "integrators/method.h"
+#include "scenes/mitsuba/mitsuba_xml.h"
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace plumb::cli {
 
@@ -25,9 +25,8 @@ struct PathOptions {
     int length = 0;                          ///< in edges: paths of this length alone; 0: all
     std::vector<int> strategy;               ///< s, t of bdpt; empty: all
     std::uint32_t samples_per_pixel = 64;
-    std::vector<int> crop;                           ///< x, y, width, height; empty: the whole film
-    std::map<std::string, std::string> definitions;  ///< of $name in the file
-    bool lenient = false;
+    std::vector<int> crop;  ///< x, y, width, height; empty: the whole film
+    LoadOptions load;       ///< of the scene
     std::optional<std::uint64_t> seed;
 };
 
@@ -35,10 +34,11 @@ struct PathOptions {
 void add_transport(CLI::App& verb, PathOptions& options);
 /// These, and which of its paths.
 void add_paths(CLI::App& verb, PathOptions& options);
+/// --error and --max-spp; returns the first.
+CLI::Option* add_error(CLI::App& verb, RenderEnd& end);
 
 /// Integrator, driver and sampler that the options name, resolved. Throws Error for what is not accepted.
 RenderMethod method_of(const PathOptions& options);
-Scene load_scene(const PathOptions& options);
 /// Passes and pixels; the seed is given. Throws Error for a crop that is not within the film.
 RenderSettings settings_of(const PathOptions& options, std::uint64_t seed, FilmSize film);
 

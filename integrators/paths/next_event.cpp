@@ -26,7 +26,7 @@ struct Densities {
     }
 };
 
-// Of all choices but one, whose density is known.
+// Fills in the densities of all choices but one, which is known.
 void ask_choices(const NextEvent& next_event, const Scene& scene, const PathVertex& vertex, const LightPoint& point,
                  std::size_t known, Densities& densities) {
     for (std::size_t k = 0; k < next_event.lights.size(); ++k) {
@@ -38,11 +38,11 @@ void ask_choices(const NextEvent& next_event, const Scene& scene, const PathVert
 // n p of the BSDF for a direction in which a light was found. No direction of a BSDF meets a point.
 double density_of_bsdf(const NextEvent& next_event, const Scene& scene, const PathVertex& vertex, std::size_t light,
                        Vec3 direction) {
-    if (next_event.bsdf_count == 0 || std::holds_alternative<PointLight>(scene.lights()[light])) return 0;
+    if (next_event.bsdf_count == 0 || kind_of(scene.lights()[light]) == LightKind::point) return 0;
     return next_event.bsdf_count * vertex.bsdf.pdf(vertex.to_local(vertex.wo), vertex.to_local(direction));
 }
 
-// Of what a choice of lights found: where it is the only one, as it mostly is, nobody else need be asked.
+// The weight of what a choice of lights found. Where it is the only choice, as it mostly is, no other need be asked.
 TechniqueWeight weight_of_found(const NextEvent& next_event, const Scene& scene, const PathVertex& vertex,
                                 const SceneLightSample& found, std::size_t choice) {
     if (next_event.lights.size() > 1)

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "integrators/integrators.h"
+#include "integrators/references/scene_identity.h"
 
 namespace plumb {
 
@@ -29,18 +30,17 @@ std::optional<Reference> find_reference(const fs::path& cache, const Provenance&
     return Reference{file, std::move(image), std::move(*found)};
 }
 
-Reference require_reference(const fs::path& cache, const Provenance& scene, std::optional<int> longest_path,
-                            const std::string& asked) {
+Reference require_reference(const fs::path& cache, const NamedScene& scene, std::optional<int> longest_path) {
     for (const NamedIntegrator* integrator : reference_integrators()) {
-        Provenance wanted = scene;
+        Provenance wanted = identity_of(scene);
         wanted.integrator = integrator->id;
         wanted.limits = {.max_edges = wanted.longest_path() ? -1 : longest_path.value_or(-1)};
         if (wanted.longest_path() != longest_path) continue;
         if (auto found = find_reference(cache, wanted)) return std::move(*found);
     }
     const std::string depth = longest_path ? fmt::format(" --max-depth {}", *longest_path) : "";
-    throw Error(fmt::format("there is no reference of {} in {}; make one by: plumb reference {} --error 1%{}", asked,
-                            cache.string(), asked, depth));
+    throw Error(fmt::format("there is no reference of {} in {}; make one by: plumb reference {} --error 1%{}",
+                            scene.asked, cache.string(), scene.asked, depth));
 }
 
 }  // namespace plumb

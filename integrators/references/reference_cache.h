@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "integrators/references/provenance.h"
+#include "scenes/shipped/loaded_scene.h"
 
 namespace plumb {
 
@@ -22,9 +23,9 @@ std::filesystem::path reference_file(const std::filesystem::path& cache, const P
 /// version of Plumb made.
 std::optional<Reference> find_reference(const std::filesystem::path& cache, const Provenance& wanted);
 
-/// Of a scene, that of paths of these lengths (empty: of any) by the first of reference_integrators() that has one.
-/// Throws Error saying how to make one of what was asked for: a file, or a shipped name.
-Reference require_reference(const std::filesystem::path& cache, const Provenance& scene,
-                            std::optional<int> longest_path, const std::string& asked);
+/// The reference of a scene for paths of these lengths (empty: of any), by the first of reference_integrators() that
+/// has one. Throws Error saying how to make one.
+Reference require_reference(const std::filesystem::path& cache, const NamedScene& scene,
+                            std::optional<int> longest_path);
 
 }  // namespace plumb

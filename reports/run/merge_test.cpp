@@ -104,7 +104,7 @@ TEST(Merge, RefusesTwoResultsOfOneShardThatDiffer) {
     Results other = shard(2);
     other.claims[0].verdict.samples += 1;
     stores.push_back(stored(folder, "other.db", {other}));
-    EXPECT_THAT(error_of([&] { merge_shards(stores); }), HasSubstr("shard 2/3 has other verdicts in "));
+    EXPECT_THAT(error_of([&] { merge_shards(stores); }), HasSubstr("shard 2/3 has other results in "));
 }
 
 }  // namespace

@@ -40,21 +40,28 @@ std::string svg_name(const FigureResult& figure, const FigurePanel& panel, Metri
     return name + ".svg";
 }
 
+/// What the estimator of a scene is; empty for estimators of integrands, whose names say all.
+std::string method_of(const FigurePanel& panel, const Series& series) {
+    const auto found = panel.methods.find(series.estimator);
+    return found == panel.methods.end() ? "" : found->second;
+}
+
 }  // namespace
 
 std::string study_csv(const StudyResult& study) {
     std::string csv =
         "figure,estimator,integrand,n,evaluations,seconds,mse,mse_low,mse_high,bias,bias_standard_error,replicates,"
-        "integral\r\n";
+        "integral,method\r\n";
     for (const FigureResult& figure : study.figures)
         for (const FigurePanel& panel : figure.panels)
             for (const Series& series : panel.series)
                 for (const ConvergencePoint& p : series.points)
-                    fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
+                    fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
                                    csv_cell(figure.about.id), csv_cell(series.estimator), csv_cell(series.integrand),
                                    p.n, csv_cell(p.evaluations), csv_cell(p.seconds), csv_cell(p.mse),
                                    csv_cell(p.mse_interval.low), csv_cell(p.mse_interval.high), csv_cell(p.bias),
-                                   csv_cell(p.bias_standard_error), series.replicates, csv_cell(panel.integral));
+                                   csv_cell(p.bias_standard_error), series.replicates, csv_cell(panel.integral),
+                                   csv_cell(method_of(panel, series)));
     return csv;
 }
 

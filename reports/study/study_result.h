@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct FigurePanel {
     double integral = 0;
     std::vector<Series> series;                         ///< one for each estimator
     std::string unit = "evaluations of the integrand";  ///< what Work::evaluations counts
+    std::map<std::string, std::string> methods = {};    ///< of a scene: what each estimator is, with its parameters
 };
 
 /// A figure with its panels, measured.

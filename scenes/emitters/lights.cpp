@@ -45,7 +45,7 @@ Light shapeless_light(const description::Emitter& emitter) {
 
 double pdf_of_sample(const Light& light, Vec3 from, Vec3 direction, Vec3 position, Vec3 normal) {
     if (is_environment(light)) return std::visit([&](const auto& sky) { return sky.hit(from, direction)->pdf; }, light);
-    if (std::holds_alternative<PointLight>(light)) return 1;
+    if (kind_of(light) == LightKind::point) return 1;
     const double cos_at_light = -dot(normal, direction);
     if (!(cos_at_light > 0)) return 0;
     const auto pdf = [&](const auto& model) {

@@ -43,14 +43,18 @@ std::vector<ShippedScene> shipped_scenes() {
     return scenes;
 }
 
+std::optional<fs::path> find_scene_file(const std::string& name_or_path) {
+    if (std::error_code ignored; fs::is_regular_file(name_or_path, ignored)) return name_or_path;
+    if (std::ranges::count(shipped_scene_names(), name_or_path) == 0) return {};
+    return shipped_folder() / name_or_path / "scene.xml";
+}
+
 fs::path scene_file(const std::string& name_or_path) {
+    if (const auto file = find_scene_file(name_or_path)) return *file;
     const fs::path path = name_or_path;
-    if (fs::is_regular_file(path)) return path;
     if (path.has_extension() || path.has_parent_path())
         throw Error(fmt::format("there is no scene file {}", name_or_path));
-    const std::vector<std::string> known = shipped_scene_names();
-    if (std::ranges::find(known, name_or_path) == known.end()) throw unknown_name("scene", name_or_path, known);
-    return shipped_folder() / name_or_path / "scene.xml";
+    throw unknown_name("scene", name_or_path, shipped_scene_names());
 }
 
 std::string scene_name(const fs::path& file) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,9 @@ std::vector<ShippedScene> shipped_scenes();
 /// Their names alone; reads no file.
 std::vector<std::string> shipped_scene_names();
 
-/// The file of this path if there is one, else that of the shipped scene of this name. Throws Error naming the nearest.
+/// The file of this path if there is one, else that of the shipped scene of this name; empty where there is neither.
+std::optional<std::filesystem::path> find_scene_file(const std::string& name_or_path);
+/// The same. Throws Error naming the nearest where there is neither.
 std::filesystem::path scene_file(const std::string& name_or_path);
 
 /// The name of a scene's file; scene.xml goes by its folder.

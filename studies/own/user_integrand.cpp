@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "analytic/any_integrand.h"
 #include "analytic/expression.h"
 #include "analytic/image_function.h"
 #include "core/box.h"
@@ -68,22 +69,14 @@ UserIntegrands read_formula(const IntegralTask& task) {
 }
 
 template <int D>
-std::optional<UserIntegrands> shipped(std::string_view id, std::vector<std::string>& known) {
-    for (const Integrand<D>& f : integrands<D>()) {
-        known.push_back(f.id);
-        if (f.id != id) continue;
-        return std::vector<UserIntegrand<D>>{{f.id, finite_on<D>({}, f.value, f.id), f.integral_value(), &f}};
-    }
-    return {};
+UserIntegrands shipped(const Integrand<D>& f) {
+    return std::vector<UserIntegrand<D>>{{f.id, finite_on<D>({}, f.value, f.id), f.integral_value(), &f}};
 }
 
 UserIntegrands read_shipped(const IntegralTask& task) {
     refuse(!task.domain.empty(), "--domain", "does not go with a shipped integrand: its domain is [0,1]");
-    std::vector<std::string> known;
     const std::string_view id = std::string_view(task.what.front()).substr(1);
-    if (const auto one = shipped<1>(id, known)) return *one;
-    if (const auto two = shipped<2>(id, known)) return *two;
-    throw unknown_name("integrand", id, known);
+    return std::visit([](const auto* f) { return shipped(*f); }, find_any_integrand(id));
 }
 
 UserIntegrands read_image_channels(const IntegralTask& task) {
@@ -91,7 +84,7 @@ UserIntegrands read_image_channels(const IntegralTask& task) {
     const std::string& file = task.what.front();
     const auto image = std::make_shared<const Image>(read_image(file));
     require_finite(*image, file);
-    const Lookup lookup = task.lookup == "bilinear" ? Lookup::bilinear : Lookup::nearest;
+    const ImageLookup lookup = task.lookup == "bilinear" ? ImageLookup::bilinear : ImageLookup::nearest;
     std::vector<UserIntegrand<2>> channels;
     for (const std::string& channel : task.channel ? std::vector<std::string>{*task.channel} : channel_names(*image)) {
         const ImageFunction f(image, channel_weights(*image, channel), lookup);

@@ -1,23 +1,26 @@
 #pragma once
 
-#include "cli/verbs/path_options.h"
+#include <cstdint>
+#include <string>
+
 #include "integrators/drivers/explanation.h"
+#include "integrators/method.h"
+#include "scenes/shipped/loaded_scene.h"
 
 namespace plumb::cli {
 
-/// One path of a render.
-struct ExplainOptions : PathOptions {
-    int x = 0, y = 0;  ///< of the pixel
-    std::uint32_t sample = 0;
-    std::uint32_t replicates = 0;  ///< passes of the render; 0: as `render --spp` cuts them
-    std::string json;
-};
-
-/// A sample of a scene, explained, and what was asked for.
+/// A sample of a render, explained, and what was asked for.
 struct ExplainedSample {
-    const ExplainOptions& options;
-    const Scene& scene;
+    const LoadedScene& scene;
+    const RenderMethod& method;
+    const RenderSettings& settings;
+    int x = 0, y = 0;  ///< of the pixel
+    std::uint32_t index = 0;
     const Explanation& told;
+
+    [[nodiscard]] std::uint64_t samples_per_pixel() const {
+        return std::uint64_t{settings.passes} * settings.samples_per_pass;
+    }
 };
 
 /// The explanation as a person reads it.

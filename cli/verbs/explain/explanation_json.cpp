@@ -40,8 +40,8 @@ Json vertices(const ExplainedSample& sample, const std::vector<PathVertex>& of, 
     Json list = Json::array();
     for (std::size_t i = 0; i < of.size(); ++i) {
         const PathVertex& v = of[i];
-        Json vertex{{"shape", to(name_of_shape(sample.scene, v.hit.shape))},
-                    {"material", to(name_of_material(sample.scene, v.hit.shape))},
+        Json vertex{{"shape", to(name_of_shape(sample.scene.scene, v.hit.shape))},
+                    {"material", to(name_of_material(sample.scene.scene, v.hit.shape))},
                     {"bsdf", name_of_bsdf(v.bsdf)},
                     {"position", to(v.hit.point.position)},
                     {"distance", v.hit.t},
@@ -60,7 +60,7 @@ Json light(const ExplainedSample& sample) {
     const auto& start = sample.told.story.light_ray;
     if (!start) return nullptr;
     const auto& [ray, index, chance] = *start;
-    return {{"light", to(name_of_light(sample.scene, index))},
+    return {{"light", to(name_of_light(sample.scene.scene, index))},
             {"chance", chance},
             {"origin", to(ray.origin)},
             {"direction", to(ray.direction)},
@@ -73,7 +73,7 @@ Json findings(const ExplainedSample& sample) {
     Json list = Json::array();
     for (const PathStory::Finding& f : sample.told.story.findings) {
         Json found = to(f.strategy);
-        found["light"] = f.source ? to(name_of_light(sample.scene, *f.source)) : Json(nullptr);
+        found["light"] = f.source ? to(name_of_light(sample.scene.scene, *f.source)) : Json(nullptr);
         found["throughput"] = to(f.throughput);
         found["value"] = to(f.light);
         found["weight"] = f.weight;
@@ -102,18 +102,21 @@ Json splats(const Explanation& told) {
 }  // namespace
 
 std::string explanation_json(const ExplainedSample& sample) {
-    const auto& [options, scene, told] = sample;
+    const Explanation& told = sample.told;
     Json splatted = Json::array();
     for (const auto& [x, y, value] : told.splatted) splatted.push_back({{"x", x}, {"y", y}, {"value", to(value)}});
-    const Json json{{"scene", options.scene},
-                    {"scene_hash", fmt::format("{:016x}", scene.description().content_hash)},
-                    {"integrator", options.integrator},
-                    {"sampler", options.sampler},
+    const Json json{{"scene", sample.scene.asked},
+                    {"scene_hash", sample.scene.hash()},
+                    {"integrator", sample.method.integrator},
+                    {"driver", sample.method.driver},
+                    {"sampler", sample.method.sampler},
+                    {"parameters", sample.method.parameters},
                     {"seed", told.key.seed},
-                    {"spp", options.samples_per_pixel},
-                    {"x", options.x},
-                    {"y", options.y},
-                    {"sample", options.sample},
+                    {"spp", sample.samples_per_pixel()},
+                    {"x", sample.x},
+                    {"y", sample.y},
+                    {"sample", sample.index},
+                    {"driver_weight", number(told.weight)},
                     {"film", to(told.start.film)},
                     {"origin", to(told.start.ray.origin)},
                     {"direction", to(told.start.ray.direction)},

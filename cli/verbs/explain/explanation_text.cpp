@@ -31,8 +31,8 @@ std::string vertices_text(const ExplainedSample& sample, const std::vector<PathV
     std::string said;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const PathVertex& v = vertices[i];
-        said += fmt::format("{:>3} {}, {} {}\n", i + 1, name_of_shape(sample.scene, v.hit.shape).text(),
-                            name_of_bsdf(v.bsdf), name_of_material(sample.scene, v.hit.shape).text());
+        said += fmt::format("{:>3} {}, {} {}\n", i + 1, name_of_shape(sample.scene.scene, v.hit.shape).text(),
+                            name_of_bsdf(v.bsdf), name_of_material(sample.scene.scene, v.hit.shape).text());
         said += fmt::format("    at {}, distance {:.6g}, wo {}\n", text(v.hit.point.position), v.hit.t, text(v.wo));
         said += fmt::format("    normal {}, shading normal {}\n", text(v.hit.point.normal), text(v.frame.z));
         for (const PathStory::Scattering& s : sample.told.story.scatterings)
@@ -47,7 +47,7 @@ std::string light_text(const ExplainedSample& sample) {
     const auto& [ray, light, chance] = *start;
     return fmt::format(
         "{}: chosen with {:.5g}, from {} along {}\n    pdf per area {:.5g}, per steradian {:.5g}, flux {}\n",
-        name_of_light(sample.scene, light).text(), chance, text(ray.origin), text(ray.direction), ray.pdf.area,
+        name_of_light(sample.scene.scene, light).text(), chance, text(ray.origin), text(ray.direction), ray.pdf.area,
         ray.pdf.direction, text(ray.weight));
 }
 
@@ -58,7 +58,7 @@ std::string findings_text(const ExplainedSample& sample) {
         const auto density = [](double pdf) { return pdf > 0 ? reports::readable(pdf) : ""; };
         rows.push_back({text(f.strategy), is_black(f.value()) ? "hidden" : fmt::format("{}", f.splat + 1),
                         density(f.pdf), density(f.rival), fmt::format("{:.6g}", f.weight), text(f.throughput),
-                        text(f.light), f.source ? name_of_light(sample.scene, *f.source).text() : ""});
+                        text(f.light), f.source ? name_of_light(sample.scene.scene, *f.source).text() : ""});
     }
     if (rows.empty()) return "no light was found\n";
     return reports::table({{"(s, t)"},
@@ -85,13 +85,19 @@ std::string splats_text(const ExplainedSample& sample) {
     return said;
 }
 
+std::string weight_text(double weight) {
+    if (weight == 0) return "does not take the sample; what follows counts nothing";
+    return weight == 1 ? "takes the sample as it is" : fmt::format("takes the sample with the weight {:.6g}", weight);
+}
+
 }  // namespace
 
 std::string explanation_text(const ExplainedSample& sample) {
-    const auto& [options, scene, told] = sample;
+    const auto& [scene, method, settings, x, y, index, told] = sample;
     std::string said =
-        fmt::format("{}, {}: pixel {},{}, sample {} of {}, {}, seed {}\n", options.scene, options.integrator, options.x,
-                    options.y, options.sample, options.samples_per_pixel, options.sampler, told.key.seed);
+        fmt::format("{}, {}: pixel {},{}, sample {} of {}, {}, seed {}\n", scene.asked, method.integrator, x, y, index,
+                    sample.samples_per_pixel(), method.sampler, told.key.seed);
+    said += fmt::format("driver {}: {}\n", method.driver, weight_text(told.weight));
     said += fmt::format("sensor: film ({:.6g}, {:.6g}), from {} along {}\n", told.start.film[0], told.start.film[1],
                         text(told.start.ray.origin), text(told.start.ray.direction));
     said += vertices_text(sample, told.record.vertices, 0);

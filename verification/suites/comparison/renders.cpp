@@ -193,8 +193,8 @@ std::vector<Spoiled> images_spoiled() {
     constexpr PixelBox bright_wall{0, 0, 16, 16};
     return {{"dark-tile",
              "One tile 3 % darker.",
-             change([](double v, int x, int y) { return x >= 16 && x < 24 && y < 8 ? 0.97 * v : v; }),
-             {16, 0, 8, 8}},
+             change([](double v, int x, int y) { return x >= 16 && y < 16 ? 0.97 * v : v; }),
+             {16, 0, 16, 16}},
             {"srgb-as-linear", "sRGB written as if it were linear.",
              change([](double v, int, int) { return srgb_from_linear(v); })},
             {"eight-bits", "Written in 8 bits and read again: the wall by the light is cut off.", spoil(in_bytes),

@@ -81,9 +81,9 @@ private:
     Classes found_;
 };
 
-// What an integrator makes in one of 1,000 paths, each must make that the predicate says, and none may make another.
-// Who has not found a class yet looks on: of those that the scenes have so often, any other integrator makes the rarest
-// in 3 of 10,000 paths, so that `most_paths` miss it with a probability of e^-60.
+// A class that one integrator makes in one of 1,000 paths must be made by each integrator of which the predicate says
+// so, and by no other. An integrator that has not found a class yet looks on: of the classes that are so frequent, any
+// other integrator makes the rarest in 3 of 10,000 paths, so that `most_paths` miss it with a probability of e^-60.
 Verdict classes_are(Predicate predicate, const Run& run) {
     constexpr std::uint32_t most_paths = 200'000;
     const auto at_once = run.pick(10'000u, 100'000u);

@@ -29,34 +29,10 @@ Made path_by(const Techniques& techniques) {
     return path;
 }
 
-/// A coated floor, a wall and a shelf under two lamps and a dim sky. No lamp is small: samples of the BSDF alone would
-/// find it so seldom that tests had to wait until their draws are nearly normal.
-const Scene& broad_lamps_scene() {
-    static const Scene scene([] {
-        description::Scene lamps;
-        const auto white = add_material(lamps, description::Diffuse{Spectrum::grey(0.7)});
-        const auto black = add_material(lamps, description::Diffuse{Spectrum::grey(0)});
-        const auto coated =
-            add_material(lamps, description::Plastic{1.5, Spectrum::grey(0.4), Spectrum::grey(1), true,
-                                                     description::Roughness{description::Microfacets::ggx, 0.5}});
-        add_polygon(lamps, {{-1.5, -1, 0}, {1.5, -1, 0}, {1.5, 1, 0}, {-1.5, 1, 0}}, coated);
-        add_polygon(lamps, {{-1.5, 1, 0}, {1.5, 1, 0}, {1.5, 1, 2}, {-1.5, 1, 2}}, white);
-        add_polygon(lamps, {{-0.3, -0.3, 0.4}, {0.3, -0.3, 0.4}, {0.3, 0.3, 0.5}, {-0.3, 0.3, 0.5}}, white);
-        add_polygon(lamps, {{-1.4, -0.9, 1.5}, {-1.4, 0.6, 1.5}, {-0.2, 0.6, 1.5}, {-0.2, -0.9, 1.5}}, black,
-                    Spectrum::grey(1));
-        add_polygon(lamps, {{0, -0.7, 1.3}, {0, 0.4, 1.3}, {1.4, 0.4, 1.3}, {1.4, -0.7, 1.3}}, black,
-                    Spectrum::grey(1.5));
-        lamps.emitters.emplace_back().kind = description::ConstantSky{Spectrum::grey(0.2)};
-        lamps.sensor = camera({0, -3, 1.5}, {0, 0, 0.5}, 45, 16, 16);
-        return lamps;
-    }());
-    return scene;
-}
-
 /// Means of the lamps' film without what is seen directly, against those by one sample of each technique.
 Verdict as_usual(Made (*by)(const Techniques&), const std::vector<Techniques>& all, const Run& run) {
     constexpr double mean = 0.3;
-    const Scene& scene = broad_lamps_scene();
+    const Scene& scene = lamps_scene();
     const Made usual = by({one_of_each});
     const RegionMean reference{scene, *usual, whole_film(scene), 4};
     std::vector<Verdict> parts;

@@ -38,7 +38,9 @@ Verdict unbiased(const Subject& driver, const Run& run) {
         for (int i = 0; i < 16; ++i) sum += film.mean(i % 4, i / 4, 0) * (0.5 + (i / 4 + 0.5) / 4) / 16;
         return sum;
     };
-    return mean_is(draw, {.reference = 0.75, .delta = 0.015, .epsilon = 1e-5, .cap = std::uint64_t{1} << 16}, run);
+    return mean_is(
+        draw, {.reference = 0.75, .delta = 0.015, .epsilon = 1e-5, .bounds = {0, 1.5}, .cap = std::uint64_t{1} << 16},
+        run);
 }
 
 }  // namespace
