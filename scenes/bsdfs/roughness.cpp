@@ -38,7 +38,6 @@ Roughness Roughness::load(Properties& properties) {
         properties.replaced(fmt::format("distribution '{}' by beckmann", distribution),
                             place.error(unknown_name("distribution", distribution, {"beckmann", "ggx"}).what()));
     }
-    properties.boolean("sample_visible", true);
     return roughness;
 }
 

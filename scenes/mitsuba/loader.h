@@ -18,9 +18,10 @@ std::string snake_case(const std::string& name);
 /// The state of loading one file.
 struct Loader {
     LoadOptions options;
-    std::filesystem::path folder = {};  ///< of the main scene
+    Folders folders = {};
     description::Scene scene = {};
-    std::map<std::string, const XmlElement*> named = {};  ///< elements of the root by their id
+    std::map<std::string, const XmlElement*> named = {};  ///< elements by their id
+    std::set<std::string> referred = {};                  ///< ids to which a <ref> or an <alias> leads
     std::map<const XmlElement*, description::MaterialId> materials = {};
     std::map<const XmlElement*, description::TextureId> textures = {};
     std::set<std::filesystem::path> files = {};  ///< named by what was loaded
@@ -76,11 +77,14 @@ public:
     /// Gives a value that the file's version implies where the file has none.
     void assume(const std::string& name, const std::string& value);
 
+    /// Takes a value, if there is one, that has no effect.
+    void pass_over(const std::string& name);
     /// Ends the reading: notes what is known to have no effect; what else nobody asked for is an Error.
     void finish();
 
 private:
     const XmlElement* take(const std::string& name, const Form& form);
+    [[nodiscard]] Error lacks(const std::string& name) const;
     Spectrum constant(const std::string& name, const Spectrum& otherwise, bool emission, double most);
 
     const XmlElement& element_;
@@ -89,12 +93,19 @@ private:
     std::list<XmlElement> assumed_;
 };
 
+/// Whether Mitsuba has elements of this tag.
+bool is_known_tag(const std::string& tag);
+/// Whether elements of this tag are values, which have a name.
+bool is_value(const std::string& tag);
+/// Reports elements of no tag that Mitsuba knows, as report_unread() does, before anybody misses what they were meant
+/// as.
+void report_unknown_tags(const XmlElement& element, Loader& loader);
 /// Reports what nobody asked for of an element and of what was read within it: an Error with the place, what was found
 /// and what is accepted; a note where the user is lenient. It is reported once.
 void report_unread(const XmlElement& element, Loader& loader);
 /// Names of values of a tag that Mitsuba knows and that have no effect on what Plumb computes.
 const std::vector<std::string>& names_without_effect(const std::string& tag);
-/// Notes an element that only advises, such as an integrator; of what is in it only the form is read.
+/// Notes an integrator or a sampler, which only advise; what nobody knows in one that is known is an Error.
 void pass_over(const XmlElement& element, Loader& loader);
 
 Spectrum parse_spectrum(const XmlElement& element, bool emission);
@@ -108,7 +119,8 @@ description::Shape load_shape(const XmlElement& element, Loader& loader);
 description::AreaEmitter load_area_emitter(const XmlElement& element, Loader& loader);
 description::Emitter load_emitter(const XmlElement& element, Loader& loader);
 description::Sensor load_sensor(const XmlElement& element, Loader& loader);
-/// The camera of a scene that names none, as Mitsuba's: 45 degrees, along +z, from where it sees all shapes.
+/// The camera of a scene that names none, as Mitsuba's: of 45 degrees, along +z, whose width the shapes' longest side
+/// fills, were it their front.
 description::Sensor default_sensor(const XmlElement& scene, Loader& loader);
 
 }  // namespace plumb::mitsuba

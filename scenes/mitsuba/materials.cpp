@@ -39,12 +39,12 @@ std::optional<decltype(Material::kind)> load_kind(const XmlElement& element, Loa
     } else if (std::ranges::count(changes_of_a_child, properties.type())) {
         properties.replaced(fmt::format("bsdf '{}' by its child", properties.type()), loader.unknown_plugin(element));
         child = properties.nested_materials(1).front();
-        element.reading.passed_over = true;
+        element.reading.left_out = true;
     } else {
         properties.replaced(fmt::format("bsdf '{}' by grey diffuse", properties.type()),
                             loader.unknown_plugin(element));
         kind = description::Diffuse{};
-        element.reading.passed_over = true;
+        element.reading.left_out = true;
     }
     return kind;
 }

@@ -13,16 +13,15 @@ namespace plumb {
 namespace mitsuba {
 
 const XmlElement& Loader::resolve(const XmlElement& element) const {
-    const XmlElement* target = &element;
-    for (std::size_t hops = 0; target->tag == "ref"; ++hops) {
-        const std::string& id = target->attribute("id");
-        const auto found = named.find(id);
-        if (found == named.end()) throw element.place.error(fmt::format("<ref> to '{}', but nothing has this id", id));
-        if (hops > named.size()) throw element.place.error(fmt::format("<ref> to '{}' goes round in a circle", id));
-        target = found->second;
-        target->reading.referred = true;
-    }
-    return *target;
+    if (element.tag != "ref") return element;
+    const std::string& id = element.attribute("id");
+    const auto found = named.find(id);
+    if (found != named.end()) return *found->second;
+    std::vector<std::string> known;
+    for (const auto& [other, target] : named) known.push_back(other);
+    const std::string near = nearest_name(id, known);
+    throw element.place.error(fmt::format("<ref> to '{}', but nothing has this id{}", id,
+                                          near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
 }
 
 void Loader::ignored(const description::Place& place, std::string text) {
@@ -43,20 +42,40 @@ namespace {
 
 void index_ids(const XmlElement& element, Loader& loader) {
     for (const XmlElement& child : element.children) {
-        // Whether an id is accepted is up to whoever reads the element.
-        if (const auto id = child.attributes.find("id"); id != child.attributes.end() && child.tag != "ref") {
-            const auto [found, is_new] = loader.named.try_emplace(id->second, &child);
-            if (!is_new)
-                throw child.place.error(
-                    fmt::format("the id '{}' is taken by line {}", id->second, found->second->place.line));
-        }
         index_ids(child, loader);
+        // Whether an id is accepted is up to whoever reads the element.
+        const auto id = child.attributes.find("id");
+        if (id == child.attributes.end()) continue;
+        if (child.tag == "ref" || child.tag == "alias") {
+            loader.referred.insert(id->second);
+            continue;
+        }
+        const auto [found, is_new] = loader.named.try_emplace(id->second, &child);
+        if (!is_new) {
+            const description::Place& first = found->second->place;
+            throw child.place.error(fmt::format("the id '{}' is taken by {}", id->second,
+                                                first.file == child.place.file
+                                                    ? fmt::format("line {}", first.line)
+                                                    : fmt::format("{}:{}", first.file, first.line)));
+        }
+    }
+}
+
+// <alias id="a" as="b"/>: b is another name of a, which stands before it.
+void index_aliases(const XmlElement& root, Loader& loader) {
+    for (const XmlElement& child : root.children) {
+        if (child.tag != "alias") continue;
+        const auto found = loader.named.find(child.attribute("id"));
+        if (found == loader.named.end())
+            throw child.place.error(fmt::format("<alias> of '{}', but nothing has this id", child.attribute("id")));
+        if (!loader.named.try_emplace(child.attribute("as"), found->second).second)
+            throw child.place.error(fmt::format("the id '{}' is taken", child.attribute("as")));
+        child.reading.taken = true;
     }
 }
 
 void load_element(const XmlElement& element, Loader& loader) {
     description::Scene& scene = loader.scene;
-    element.reading.taken = true;
     if (element.tag == "shape") {
         scene.shapes.push_back(load_shape(element, loader));
     } else if (element.tag == "bsdf") {
@@ -73,16 +92,18 @@ void load_element(const XmlElement& element, Loader& loader) {
             scene.sensor = std::move(sensor);
     } else if (element.tag == "integrator") {
         pass_over(element, loader);
-    } else if (element.tag == "default") {
-        element.reading.passed_over = true;
-        loader.ignored(element.place,
-                       fmt::format("the default of ${}, for which nothing asks", element.attribute("name")));
     } else {
-        throw element.place.error(
-            unknown_name("element", element.tag,
-                         {"bsdf", "default", "emitter", "include", "integrator", "sensor", "shape", "texture"})
-                .what());
+        return;
     }
+    element.reading.taken = true;
+}
+
+void load_elements(const XmlElement& root, Loader& loader) {
+    root.reading.parts = {"alias",      "bsdf", "default", "emitter", "include",
+                          "integrator", "path", "sensor",  "shape",   "texture"};
+    for (const XmlElement& element : root.children)
+        if (!element.reading.left_out) load_element(element, loader);
+    report_unread(root, loader);
 }
 
 void accept_one(const XmlElement& root, const std::string& tag) {
@@ -97,17 +118,23 @@ void accept_one(const XmlElement& root, const std::string& tag) {
 // What stands at the root for others to refer to, and is referred to by none.
 void report_unreferred(const XmlElement& root, Loader& loader) {
     for (const XmlElement& child : root.children) {
-        if ((child.tag != "bsdf" && child.tag != "texture") || child.reading.referred) continue;
+        if (child.tag != "bsdf" && child.tag != "texture") continue;
         const std::string what = fmt::format("{} '{}'", child.tag, child.attribute("type"));
-        if (child.has("id"))
-            loader.ignored(child.place, fmt::format("{}: no <ref> to '{}'", what, child.attribute("id")));
-        else
+        if (!child.has("id"))
             loader.replaced(
                 child.place, fmt::format("{} by its absence", what),
                 child.place.error(fmt::format("{} at the root without an id, so that nothing can refer to it; "
                                               "an id, or a place within what uses it, is accepted",
                                               what)));
+        else if (!loader.referred.contains(child.attribute("id")))
+            loader.ignored(child.place, fmt::format("{}: no <ref> to '{}'", what, child.attribute("id")));
     }
+}
+
+void report_unused_names(const std::vector<XmlElement>& unused, Loader& loader) {
+    for (const XmlElement& element : unused)
+        loader.ignored(element.place,
+                       fmt::format("the default of ${}, for which nothing asks", element.attribute("name")));
 }
 
 void append_text(const XmlElement& element, std::string& text) {
@@ -130,13 +157,16 @@ std::uint64_t content_hash(const XmlElement& root, const Loader& loader) {
 }  // namespace mitsuba
 
 description::Scene load_mitsuba(const std::filesystem::path& file, const LoadOptions& options) {
-    const XmlElement root = read_xml_tree(file, options.definitions);
-    mitsuba::Loader loader{.options = options, .folder = file.parent_path()};
+    const XmlTree tree = read_xml_tree(file, options.definitions);
+    const XmlElement& root = tree.root;
+    mitsuba::Loader loader{.options = options, .folders = tree.folders};
+    mitsuba::report_unknown_tags(root, loader);
     mitsuba::index_ids(root, loader);
+    mitsuba::index_aliases(root, loader);
     mitsuba::accept_one(root, "integrator");
-    for (const XmlElement& element : root.children) mitsuba::load_element(element, loader);
-    mitsuba::report_unread(root, loader);
+    mitsuba::load_elements(root, loader);
     mitsuba::report_unreferred(root, loader);
+    mitsuba::report_unused_names(tree.unused_names, loader);
     if (!loader.scene.sensor) loader.scene.sensor = mitsuba::default_sensor(root, loader);
     loader.scene.content_hash = mitsuba::content_hash(root, loader);
     return std::move(loader.scene);

@@ -46,7 +46,7 @@ const Form reflectance_form{{"rgb", "srgb", "spectrum", "float", "integer", "tex
 XmlProperties::XmlProperties(const XmlElement& element, Loader& loader) : element_(element), loader_(loader) {
     for (const char* attribute : {"type", "id", "name"}) element.reading.attributes.insert(attribute);
     for (const XmlElement& child : element.children) {
-        if (!child.has("name")) continue;
+        if (!is_known_tag(child.tag) || !child.has("name")) continue;
         const std::string name = snake_case(child.attribute("name"));
         if (!values_.try_emplace(name, &child).second)
             throw child.place.error(fmt::format("'{}' is given twice", name));
@@ -73,6 +73,13 @@ const XmlElement* XmlProperties::take(const std::string& name, const Form& form)
     if (std::ranges::find(form.tags, value.tag) == form.tags.end())
         throw value.place.error(fmt::format("{} is a <{}>; accepted is {}", name, value.tag, form.text));
     return &value;
+}
+
+Error XmlProperties::lacks(const std::string& name) const {
+    std::vector<std::string> given;
+    for (const auto& [other, value] : values_) given.push_back(fmt::format("'{}'", other));
+    return element_.place.error(fmt::format("<{}> without a '{}'{}{}", element_.tag, name,
+                                            given.empty() ? "" : "; it has ", fmt::join(given, ", ")));
 }
 
 double XmlProperties::number(const std::string& name, double otherwise) {
@@ -105,8 +112,8 @@ std::string XmlProperties::string(const std::string& name, const std::string& ot
 
 std::filesystem::path XmlProperties::file(const std::string& name) {
     const XmlElement* value = take(name, string_form);
-    if (!value) throw element_.place.error(fmt::format("<{}> without a '{}'", element_.tag, name));
-    const std::filesystem::path path = find_file(value->attribute("value"), *value, loader_.folder);
+    if (!value) throw lacks(name);
+    const std::filesystem::path path = find_file(value->attribute("value"), value->place, loader_.folders);
     loader_.files.insert(path);
     return path;
 }
@@ -120,7 +127,7 @@ Spectrum XmlProperties::constant(const std::string& name, const Spectrum& otherw
     const XmlElement* value = take(name, spectrum_form);
     if (!value) return otherwise;
     // How 0.6 makes a spectrum of three numbers, which it does not when it renders three numbers.
-    if (value->tag != "spectrum" && value->has("intent"))
+    if ((value->tag == "rgb" || value->tag == "srgb") && value->has("intent"))
         loader_.ignored(value->place, fmt::format("the intent of {}", name));
     const Spectrum result = parse_spectrum(*value, emission);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -204,14 +211,20 @@ std::vector<MaterialId> XmlProperties::nested_materials(std::size_t most) {
     return nested;
 }
 
+void XmlProperties::pass_over(const std::string& name) {
+    element_.reading.names.insert(name);
+    const auto found = values_.find(name);
+    if (found == values_.end()) return;
+    found->second->reading.taken = true;
+    static_cast<void>(found->second->attribute("value"));
+}
+
 void XmlProperties::finish() {
     for (const std::string& name : names_without_effect(element_.tag)) {
-        element_.reading.names.insert(name);
         const auto found = values_.find(name);
-        if (found == values_.end() || found->second->reading.taken) continue;
-        found->second->reading.taken = true;
-        static_cast<void>(found->second->attribute("value"));
-        loader_.ignored(found->second->place, fmt::format("'{}' of {}", name, element_.attribute("type")));
+        const bool is_new = found != values_.end() && !found->second->reading.taken;
+        pass_over(name);
+        if (is_new) loader_.ignored(found->second->place, fmt::format("'{}' of {}", name, type()));
     }
     report_unread(element_, loader_);
 }

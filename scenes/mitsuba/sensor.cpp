@@ -1,9 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
-#include "scenes/geometry/ball.h"
+#include "scenes/geometry/box.h"
 #include "scenes/mitsuba/loader.h"
 
 namespace plumb::mitsuba {
@@ -18,7 +19,7 @@ Filter load_filter(const XmlElement& element, Loader& loader) {
     const std::optional<Filter> filter = load_model<Filter>(FilterModels{}, properties);
     if (!filter) {
         properties.replaced(fmt::format("rfilter '{}' by gaussian", properties.type()), loader.unknown_plugin(element));
-        element.reading.passed_over = true;
+        element.reading.left_out = true;
     }
     properties.finish();
     return filter.value_or(GaussianFilter());
@@ -50,16 +51,22 @@ Sensor load_sensor(const XmlElement& element, Loader& loader) {
 }
 
 Sensor default_sensor(const XmlElement& scene, Loader& loader) {
-    const Ball all = ball_around(loader.scene.shapes);
-    Sensor sensor{.to_world = {}, .kind = description::Perspective{.fov_x = 45}, .film = {}, .place = scene.place};
-    // A ball is within a cone of this half angle, that of the film's shorter side, from radius / sin of it.
-    const double across = std::tan(std::numbers::pi / 8) * sensor.film.height / sensor.film.width;
-    const Vec3 from = all.centre - Vec3{0, 0, all.radius / std::sin(std::atan(across))};
+    constexpr double fov = 45;
+    Sensor sensor{.to_world = {}, .kind = description::Perspective{.fov_x = fov}, .film = {}, .place = scene.place};
+    Vec3 from;
+    if (!loader.scene.shapes.empty()) {
+        Box box;
+        for (const description::Shape& shape : loader.scene.shapes) box.add(bounds(shape.geometry));
+        const Vec3 sides = box.high - box.low, centre = (box.low + box.high) / 2;
+        const double distance =
+            std::max({sides.x, sides.y, sides.z}) / (2 * std::tan(fov / 2 * std::numbers::pi / 180));
+        from = {centre.x, centre.y, box.low.z - distance};
+    }
     sensor.to_world = Transform::translate(from);
     loader.scene.notes.push_back({description::Note::Kind::replaced, scene.place,
-                                  fmt::format("no <sensor> by a perspective one of 45 degrees at {:.4g} {:.4g} {:.4g}, "
-                                              "which looks along +z at all shapes",
-                                              from.x, from.y, from.z)});
+                                  fmt::format("no <sensor> by a perspective one of {} degrees at {:.4g} {:.4g} {:.4g}, "
+                                              "which looks along +z",
+                                              fov, from.x, from.y, from.z)});
     return sensor;
 }
 

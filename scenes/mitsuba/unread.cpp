@@ -10,10 +10,13 @@ namespace plumb::mitsuba {
 
 namespace {
 
-const std::vector<std::string> values{"boolean", "float",  "integer", "point",     "rgb",   "spectrum",
-                                      "srgb",    "string", "texture", "transform", "vector"};
+const std::vector<std::string> values{"blackbody", "boolean", "float",  "integer", "point",     "rgb",
+                                      "spectrum",  "srgb",    "string", "texture", "transform", "vector"};
 const std::vector<std::string> things{"bsdf",    "emitter", "film",   "integrator", "medium",     "phase",   "ref",
                                       "rfilter", "sampler", "sensor", "shape",      "subsurface", "texture", "volume"};
+
+const std::vector<std::string> steps{"lookAt", "lookat", "matrix", "rotate", "scale", "translate"};
+const std::vector<std::string> said_to_the_reader{"alias", "default", "include", "path", "scene"};
 
 bool is_in(const std::vector<std::string>& list, const std::string& tag) {
     return std::ranges::find(list, tag) != list.end();
@@ -36,19 +39,15 @@ std::string accepted(const XmlElement& element) {
 /// The mistake that a child is which nobody read.
 std::string mistake(const XmlElement& child, const XmlElement& parent) {
     const std::string within = label(parent);
-    const bool is_value = is_in(values, child.tag);
-    if (const auto name = child.attributes.find("name"); name != child.attributes.end() && is_value) {
+    if (const auto name = child.attributes.find("name"); name != child.attributes.end() && is_value(child.tag)) {
         const auto& names = parent.reading.names;
         if (names.empty()) return fmt::format("'{}' within {}; {}", name->second, within, accepted(parent));
         return unknown_name(fmt::format("property of {}", within), snake_case(name->second),
                             {names.begin(), names.end()})
             .what();
     }
-    if (is_value) return fmt::format("<{}> without a name within {}; {}", child.tag, within, accepted(parent));
-    std::vector<std::string> tags = values;
-    tags.insert(tags.end(), parent.reading.parts.begin(), parent.reading.parts.end());
-    if (const std::string near = nearest_name(child.tag, tags); !is_in(things, child.tag) && !near.empty())
-        return fmt::format("unknown element <{}> within {}; did you mean <{}>?", child.tag, within, near);
+    if (is_value(child.tag))
+        return fmt::format("<{}> without a name within {}; {}", child.tag, within, accepted(parent));
     if (child.tag == "ref" && !parent.reading.names.empty())
         return fmt::format("<ref> to '{}' within {}, where nothing takes it; {}", child.attribute("id"), within,
                            accepted(parent));
@@ -68,56 +67,69 @@ void report_attributes(const XmlElement& element, Loader& loader) {
     for (const auto& [name, value] : element.attributes) element.reading.attributes.insert(name);
 }
 
+/// Notes the absence of a child where the user is lenient, else throws the error.
+void leave_out(const XmlElement& child, const XmlElement& parent, const std::string& error, Loader& loader) {
+    const auto name = child.attributes.find("name");
+    const std::string what =
+        name == child.attributes.end() ? fmt::format("<{}>", child.tag) : fmt::format("'{}'", snake_case(name->second));
+    loader.replaced(child.place, fmt::format("{} of {} by its absence", what, label(parent)), child.place.error(error));
+    child.reading.taken = child.reading.left_out = true;
+}
+
 }  // namespace
 
+bool is_value(const std::string& tag) {
+    return is_in(values, tag);
+}
+
+bool is_known_tag(const std::string& tag) {
+    return is_in(values, tag) || is_in(things, tag) || is_in(steps, tag) || is_in(said_to_the_reader, tag);
+}
+
+void report_unknown_tags(const XmlElement& element, Loader& loader) {
+    for (const XmlElement& child : element.children) {
+        report_unknown_tags(child, loader);
+        if (is_known_tag(child.tag)) continue;
+        std::vector<std::string> tags = element.tag == "transform" ? steps : things;
+        if (element.tag != "transform") tags.insert(tags.end(), values.begin(), values.end());
+        const std::string near = nearest_name(child.tag, tags);
+        leave_out(child, element,
+                  fmt::format("unknown element <{}> within {}; {}", child.tag, label(element),
+                              near.empty() ? fmt::format("accepted are <{}>", fmt::join(tags, ">, <"))
+                                           : fmt::format("did you mean <{}>?", near)),
+                  loader);
+    }
+}
+
 void report_unread(const XmlElement& element, Loader& loader) {
-    if (element.reading.passed_over) return;
+    if (element.reading.left_out) return;
     report_attributes(element, loader);
     for (const XmlElement& child : element.children) {
         if (child.reading.taken) {
             report_unread(child, loader);
             continue;
         }
-        const auto name = child.attributes.find("name");
-        const std::string what = name == child.attributes.end() ? fmt::format("<{}>", child.tag)
-                                                                : fmt::format("'{}'", snake_case(name->second));
-        loader.replaced(child.place, fmt::format("{} of {} by its absence", what, label(element)),
-                        child.place.error(mistake(child, element)));
-        child.reading.taken = child.reading.passed_over = true;
+        leave_out(child, element, mistake(child, element), loader);
     }
 }
 
 const std::vector<std::string>& names_without_effect(const std::string& tag) {
     static const std::map<std::string, std::vector<std::string>> names{
-        {"bsdf", {"specular_sampling_weight"}},
+        {"bsdf", {"sample_visible", "specular_sampling_weight"}},
         {"emitter", {"cache", "mis_compensation", "sampling_weight"}},
         {"film",
          {"attach_log", "banner", "burn", "compensate", "component_format", "exposure", "file_format", "gamma",
           "high_quality_edges", "key", "pixel_format", "sample_border", "tonemap_method"}},
+        {"integrator",
+         {"bsdf_samples", "emitter_samples", "hide_emitters", "luminaire_samples", "max_depth", "rr_depth",
+          "shading_samples", "strict_normals"}},
+        {"sampler", {"dimension", "jitter", "sample_count", "scramble", "seed", "strength"}},
+        {"shape", {"collapse", "max_smooth_angle"}},
         {"sensor", {"far_clip", "focus_distance", "near_clip", "shutter_close", "shutter_open"}},
         {"texture", {"accel", "cache", "max_anisotropy"}}};
     static const std::vector<std::string> none;
     const auto found = names.find(tag);
     return found == names.end() ? none : found->second;
-}
-
-void pass_over(const XmlElement& element, Loader& loader) {
-    XmlProperties properties(element, loader);
-    loader.ignored(element.place, fmt::format("{} '{}'", element.tag, element.attribute("type")));
-    for (const XmlElement& child : element.children) {
-        if (is_in(things, child.tag)) {
-            child.reading.taken = child.reading.passed_over = true;
-        } else if (is_in(values, child.tag) && child.has("name")) {
-            child.reading.taken = true;
-            if (child.tag == "transform")
-                parse_transform(child);
-            else if (child.tag == "point" || child.tag == "vector")
-                parse_vector(child, {});
-            else
-                static_cast<void>(child.attribute("value"));
-        }
-    }
-    properties.finish();
 }
 
 }  // namespace plumb::mitsuba

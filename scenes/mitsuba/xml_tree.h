@@ -13,9 +13,8 @@ namespace plumb {
 
 /// What a loader asked of an element, whether or not the element has it: what else it has is read by nobody.
 struct Reading {
-    bool taken = false;        ///< somebody reads the element
-    bool passed_over = false;  ///< it is left out with all that is in it, knowingly
-    bool referred = false;     ///< a <ref> led to it
+    bool taken = false;     ///< somebody reads the element
+    bool left_out = false;  ///< nobody reads it nor what is in it, and a note says so
     std::set<std::string> attributes = {};
     std::set<std::string> names = {};  ///< of children with a name
     std::set<std::string> parts = {};  ///< tags of children that need none
@@ -39,17 +38,27 @@ struct XmlElement {
     [[nodiscard]] const std::string& attribute(const std::string& name) const;
 };
 
+/// Folders in which files are looked up, the first ones first.
+using Folders = std::vector<std::filesystem::path>;
+
+/// The file of this name, looked up beside the file that names it, then in the folders. Throws an Error with the place
+/// that lists where it was looked for.
+std::filesystem::path find_file(const std::string& name, const description::Place& place, const Folders& folders);
+
 /// Values for $name in attributes: those of the command line go before the file's <default>.
 using Definitions = std::map<std::string, std::string>;
 
-/// The file of this name, looked up beside the element's file, then in the main scene's folder (Mitsuba knows the
-/// second alone). Throws an Error naming the places where there is none.
-std::filesystem::path find_file(const std::string& name, const XmlElement& element, const std::filesystem::path& main);
+/// A scene's files as one tree.
+struct XmlTree {
+    XmlElement root;                       ///< <scene>
+    Folders folders;                       ///< of <path value="…"/>, the last one first, and of the main file
+    std::vector<XmlElement> unused_names;  ///< <default> elements that nothing asked for
+};
 
-/// The tree under <scene>, with <include filename="…"/> replaced by the children of the included <scene> and every
-/// <default name="…" value="…"/> applied to what follows it; those that nothing asks for stay at the tree's end. Throws
-/// Error with file and line for a missing or malformed file, an include of itself, an undefined $name, text between
-/// elements, an attribute given twice, and for a definition that nothing asks for.
-XmlElement read_xml_tree(const std::filesystem::path& file, const Definitions& definitions);
+/// The tree of a file, with <include filename="…"/> replaced by the included file's element, or by the children of its
+/// <scene>, and every <default name="…" value="…"/> applied to what follows it. Throws Error with file and line for a
+/// missing or malformed file, an include of itself, an undefined $name, text between elements, an attribute given
+/// twice, and for a definition that nothing asks for.
+XmlTree read_xml_tree(const std::filesystem::path& file, const Definitions& definitions);
 
 }  // namespace plumb

@@ -1,0 +1,260 @@
+// What scene files of several versions and authors say in several ways, and what errors say of the rest.
+
+#include <cmath>
+#include <numbers>
+
+#include "scenes/mitsuba/mitsuba_xml.h"
+#include "scenes/test_files.h"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+using description::Note;
+
+class Spellings : public testing_files::Folder {
+protected:
+    description::Scene load(const std::string& body, const LoadOptions& options = {}) const {
+        return load_mitsuba(write("scene.xml", "<scene version=\"3.0.0\">\n" + body + "</scene>"), options);
+    }
+    std::string says(const std::string& body) const {
+        return message([&] { return load(body); });
+    }
+    std::string says_of_file(const std::string& text) const {
+        return message([&] { return load_mitsuba(write("scene.xml", text)); });
+    }
+    /// Each body is an error that begins so.
+    void expect_errors(const std::vector<std::pair<std::string, std::string>>& cases) const {
+        for (const auto& [body, expected] : cases) EXPECT_EQ(says(body).substr(0, expected.size()), expected) << body;
+    }
+};
+
+std::string shape(const std::string& inner) {
+    return "<shape type=\"sphere\">" + inner + "</shape>";
+}
+std::string bsdf(const std::string& type, const std::string& inner) {
+    return "<bsdf type=\"" + type + "\" id=\"a\">" + inner + "</bsdf>";
+}
+std::string with_sensor(const std::string& inner) {
+    return "<sensor type=\"perspective\">" + inner + "</sensor>";
+}
+
+TEST_F(Spellings, ErrorsNameWhatIsAcceptedInItsPlace) {
+    expect_errors({
+        {bsdf("diffuse", "<texture type=\"checkerboard\"/>"),
+         "scene.xml:2: <texture> without a name within diffuse; accepted are values by the names diffuse_reflectance"},
+        {bsdf("diffuse", "<rgb value=\"1\"/>"), "scene.xml:2: <rgb> without a name within diffuse; accepted are"},
+        {bsdf("diffuse", "<bsdf type=\"diffuse\"/>"),
+         "scene.xml:2: <bsdf> within diffuse, where nothing takes it; accepted are"},
+        {bsdf("twosided", "<bsdff type=\"diffuse\"/>"),
+         "scene.xml:2: unknown element <bsdff> within twosided; did you mean <bsdf>?"},
+        {bsdf("diffuse", "<rgb name=\"reflectance\" value=\"1\" scale=\"2\"/>"),
+         "scene.xml:2: unknown attribute of <rgb> 'scale'"},
+        {bsdf("diffuse", "<rgb name=\"reflectance\" valu=\"1\"/>"),
+         "scene.xml:2: <rgb> without the attribute 'value'; it has 'name', 'valu'"},
+        {bsdf("diffuse", "<flaot name=\"reflectance\" value=\"1\"/>"),
+         "scene.xml:2: unknown element <flaot> within diffuse; did you mean <float>?"},
+        {bsdf("roughconductor", "<texture type=\"checkerboard\" name=\"alpha\"/>"),
+         "scene.xml:2: alpha is a <texture>; accepted is a number (<float>, <integer>)"},
+        {bsdf("conductor", "<spectrum name=\"eta\" filename=\"a.spd\"/><rgb name=\"k\" value=\"1\"/>"),
+         "scene.xml:2: a spectrum from a file; one number"},
+        {shape("<emitter type=\"area\"><blackbody name=\"radiance\" temperature=\"5000\"/></emitter>"),
+         "scene.xml:2: radiance is a <blackbody>; accepted is a constant"},
+        {shape("<bsdf type=\"diffuse\"/><bsdf type=\"diffuse\"/>"),
+         "scene.xml:2: 2 bsdf elements in sphere; one is accepted"},
+        {shape("<transform><translate x=\"1\"/></transform>"),
+         "scene.xml:2: <transform> without a name within sphere; accepted"},
+        {shape("<transform name=\"to_world\"><translate X=\"1\"/></transform>"),
+         "scene.xml:2: unknown attribute of <translate> 'X'; did you mean 'x'?"},
+        {shape("<transform name=\"to_world\"><scale value=\"2\" x=\"1\"/></transform>"),
+         "scene.xml:2: value and x of <scale> are given; one way is accepted"},
+        {shape("<ref id=\"b\"/>") + bsdf("diffuse", ""), "scene.xml:2: <ref> to 'b', but nothing has this id"},
+        {"<shape type=\"obj\"><string name=\"filenam\" value=\"a.obj\"/></shape>",
+         "scene.xml:2: <shape> without a 'filename'; it has 'filenam'"},
+        {"<bsdf type=\"diffuse\"/>", "scene.xml:2: bsdf 'diffuse' at the root without an id"},
+        {"<float name=\"radius\" value=\"1\"/>", "scene.xml:2: 'radius' within <scene>; accepted are <alias> and"},
+        {shape("text"), "scene.xml:2: the text 'text' within <shape>; elements are accepted"},
+    });
+}
+
+TEST_F(Spellings, OfTwoWaysToSayOneThingOneIsAccepted) {
+    const std::string fov = "<float name=\"fov\" value=\"40\"/>", axis = "<string name=\"fov_axis\" value=\"y\"/>",
+                      focal = "<string name=\"focal_length\" value=\"50mm\"/>";
+    const auto rgb = [](const std::string& name) { return "<rgb name=\"" + name + "\" value=\"0.5\"/>"; };
+    expect_errors({
+        {with_sensor(fov + focal), "scene.xml:2: focal_length is given, and fov"},
+        {with_sensor(axis), "scene.xml:2: fov_axis is given without fov"},
+        {bsdf("diffuse", rgb("reflectance") + rgb("diffuse_reflectance")), "scene.xml:2: reflectance is given, and"},
+        {bsdf("conductor", rgb("eta") + rgb("k") + "<string name=\"material\" value=\"Cu\"/>"),
+         "scene.xml:2: material is given, and eta"},
+        {bsdf("roughplastic", "<float name=\"alpha\" value=\"0.1\"/><float name=\"alpha_u\" value=\"0.1\"/>"),
+         "scene.xml:2: alpha is given, and alpha_u"},
+        {with_sensor("<string name=\"toWorld\" value=\"\"/><string name=\"to_world\" value=\"\"/>"),
+         "scene.xml:2: 'to_world' is given twice"},
+    });
+    EXPECT_EQ(says_of_file("<scene version=\"3.0.0\"><shape type=\"cube\" type=\"sphere\"/></scene>"),
+              "scene.xml:1: the attribute 'type' of <shape> is given twice");
+    EXPECT_EQ(says("<default name=\"a\" value=\"1\"/><default name=\"a\" value=\"2\"/>"),
+              "scene.xml:2: a second <default> of 'a'; the first is in line 2");
+}
+
+TEST_F(Spellings, NothingStandsBesideTheRoot) {
+    EXPECT_EQ(says_of_file("<scene version=\"3.0.0\"/>\n<scene version=\"3.0.0\"/>"),
+              "scene.xml:2: <scene> after the end of <scene>; one root element is accepted");
+    EXPECT_EQ(says_of_file("<scene version=\"3.0.0\"/>\n<!-- fine --> more"),
+              "scene.xml:2: the text ' more' beside <scene>; one root element is accepted");
+    EXPECT_EQ(says_of_file("<!-- nothing -->"), "scene.xml:1: no element; <scene> is accepted");
+}
+
+TEST_F(Spellings, VersionsDecideWhatAConductorOfNoMetalIs) {
+    const auto metal = [&](const std::string& scene) {
+        return std::get<description::Conductor>(load_mitsuba(write("a.xml", scene)).materials.at(0).kind);
+    };
+    const std::string bare = "<bsdf type=\"conductor\" id=\"a\"/></scene>";
+    for (const std::string version : {"0.4.0", "0.5.0", "0.6.0"}) {
+        const auto copper = metal("<scene version=\"" + version + "\">" + bare);
+        EXPECT_EQ(copper.eta, metal("<scene version=\"3.0.0\"><bsdf type=\"conductor\" id=\"a\">"
+                                    "<string name=\"material\" value=\"Cu\"/>"
+                                    "<string name=\"ext_eta\" value=\"air\"/></bsdf></scene>")
+                                  .eta);
+    }
+    for (const std::string version : {"2.0.0", "3.0.0", "3.5.2"})
+        EXPECT_FALSE(metal("<scene version=\"" + version + "\">" + bare).eta) << version;
+    EXPECT_EQ(says_of_file("<scene>" + bare).substr(0, 40), "scene.xml:1: a conductor of no metal, wh");
+    for (const std::string version : {"0.3.0", "4.0.0", "x", "", "-1"})
+        EXPECT_EQ(says_of_file("<scene version=\"" + version + "\"/>"),
+                  "scene.xml:1: a scene of version '" + version + "'; 0.4.0 to 3.x are accepted");
+    // An included file has its own version, or that of the file that includes it.
+    for (const auto& [attribute, is_mirror] : {std::pair{"", true}, {" version=\"0.6.0\"", false}}) {
+        write("part.xml", std::string("<scene") + attribute + ">" + bare);
+        EXPECT_EQ(!metal("<scene version=\"3.0.0\"><include filename=\"part.xml\"/></scene>").eta, is_mirror);
+    }
+}
+
+TEST_F(Spellings, FilesAreFoundBesideTheirFileThenInTheFolders) {
+    fs::create_directories(path_ / "parts");
+    fs::create_directories(path_ / "meshes");
+    for (const std::string file : {"here.obj", "parts/there.obj", "meshes/far.obj"})
+        write(file, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const auto part = [&](const std::string& mesh, const std::string& path = "") {
+        write("parts/p.xml",
+              "<scene><shape type=\"obj\"><string name=\"filename\" value=\"" + mesh + "\"/></shape></scene>");
+        return says(path + "<include filename=\"parts/p.xml\"/>");
+    };
+    EXPECT_EQ(part("here.obj"), "nothing");
+    EXPECT_EQ(part("there.obj"), "nothing");
+    EXPECT_EQ(part("far.obj"), "parts/p.xml:1: there is no file parts/far.obj nor far.obj");
+    EXPECT_EQ(part("far.obj", "<path value=\"meshes\"/>"), "nothing");
+    EXPECT_EQ(part("no.obj", "<path value=\"meshes\"/>"),
+              "parts/p.xml:1: there is no file parts/no.obj nor meshes/no.obj nor no.obj");
+    EXPECT_EQ(says("<path value=\"no\"/>"), "scene.xml:2: there is no folder no");
+    // An included file's root may be the thing itself.
+    write("parts/ball.xml", "<shape version=\"3.0.0\" type=\"sphere\"/>");
+    EXPECT_EQ(load("<include filename=\"parts/ball.xml\"/>").shapes.size(), 1u);
+}
+
+TEST_F(Spellings, AnAliasIsAnotherId) {
+    const std::string red = bsdf("diffuse", "<rgb name=\"reflectance\" value=\"1 0 0\"/>");
+    const auto scene = load(red + "<alias id=\"a\" as=\"b\"/>" + shape("<ref id=\"b\"/>"));
+    EXPECT_EQ(scene.materials.size(), 1u);
+    expect_errors({{"<alias id=\"a\" as=\"b\"/>", "scene.xml:2: <alias> of 'a', but nothing has this id"},
+                   {red + "<alias id=\"a\" as=\"a\"/>", "scene.xml:2: the id 'a' is taken"}});
+}
+
+TEST_F(Spellings, TexturesTakeBothSizesOfMatrix) {
+    const auto at = [&](const std::string& matrix) {
+        const auto scene = load("<texture type=\"checkerboard\" id=\"t\"><transform name=\"to_uv\">" + matrix +
+                                "</transform></texture>");
+        return scene.textures.at(0).to_uv.point({0.25, 0.5, 0});
+    };
+    const Vec3 nine = at("<matrix value=\"2 1 0.5  0 3 0.25  0 0 1\"/>"),
+               sixteen = at("<matrix value=\"2 1 0 0.5  0 3 0 0.25  0 0 1 0  0 0 0 1\"/>");
+    EXPECT_EQ(nine, (Vec3{1.5, 1.75, 0}));
+    EXPECT_EQ(nine, sixteen);
+    EXPECT_EQ(at("<translate x=\"0.5\" y=\"2\"/>"), at("<matrix value=\"1 0 0.5  0 1 2  0 0 1\"/>"));
+    EXPECT_THROW(at("<matrix value=\"2 1 0.5 0  0 3 0.25 0  0 0 1 0  0 0 0 1\"/>"), Error);
+}
+
+TEST_F(Spellings, LookAtFindsItsUpright) {
+    const auto up_of = [&](const std::string& attributes) {
+        const auto scene = load(with_sensor("<transform name=\"to_world\"><lookat " + attributes + "/></transform>"));
+        return scene.sensor.value().to_world.vector({0, 1, 0});
+    };
+    const std::string down = "origin=\"0 5 0\" target=\"0 0 0\"", aslant = "origin=\"1, 2, 3\" target=\"4, 4, 4\"";
+    for (const std::string& view : {down, aslant}) {
+        EXPECT_EQ(up_of(view), up_of(view + " up=\"0 0 0\""));
+        EXPECT_NEAR(length(up_of(view)), 1, 1e-15);
+    }
+    // Along -y [Duff et al. 2017]: the first axis beside it is x.
+    EXPECT_EQ(up_of(down), (Vec3{1, 0, 0}));
+    EXPECT_EQ(says(with_sensor("<transform name=\"to_world\"><lookat " + down + " up=\"0 1 0\"/></transform>")),
+              "scene.xml:2: lookat with up along the direction of view");
+}
+
+TEST_F(Spellings, SpectraAreSeparatedByBlanksOrCommas) {
+    const auto reflectance = [&](const std::string& value) {
+        const auto scene = load(bsdf("diffuse", "<spectrum name=\"reflectance\" value=\"" + value + "\"/>"));
+        return std::get<Spectrum>(std::get<description::Diffuse>(scene.materials.at(0).kind).reflectance);
+    };
+    const Spectrum commas = reflectance("400:0.1, 500:0.2, 700:0.5");
+    for (const std::string value : {"400:0.1 500:0.2 700:0.5", "400:0.1,500:0.2,700:0.5", " 400:0.1\n500:0.2\t700:0.5 ",
+                                    "400 : 0.1, 500: 0.2, 700 :0.5"})
+        EXPECT_EQ(reflectance(value), commas) << value;
+    EXPECT_EQ(says(bsdf("diffuse", "<spectrum name=\"reflectance\" value=\"400:0.1 500\"/>")),
+              "scene.xml:2: '500' where nm:value is expected");
+}
+
+TEST_F(Spellings, EqualRoughnessesAreOne) {
+    const auto alpha = [&](const std::string& u, const std::string& v, const LoadOptions& options = {}) {
+        const auto scene = load(bsdf("roughplastic", "<float name=\"alpha_u\" value=\"" + u +
+                                                         "\"/><float name=\"alpha_v\" value=\"" + v + "\"/>"),
+                                options);
+        return std::get<description::Plastic>(scene.materials.at(0).kind).roughness.value().alpha;
+    };
+    EXPECT_EQ(alpha("0.2", "0.2"), 0.2);
+    EXPECT_THROW(alpha("0.2", "0.3"), Error);
+    EXPECT_EQ(alpha("0.2", "0.3", {.lenient = true}), 0.3);
+}
+
+TEST_F(Spellings, ASceneWithoutASensorIsSeen) {
+    const auto scene = load("<shape type=\"sphere\"><point name=\"center\" x=\"1\" y=\"2\" z=\"3\"/></shape>");
+    ASSERT_EQ(scene.notes.size(), 1u);
+    EXPECT_EQ(scene.notes[0].text,
+              "no <sensor> by a perspective one of 45 degrees at 1 2 -0.4142, which looks along +z");
+    // As far before the box as half its side over the tangent of half the angle.
+    const Vec3 from = scene.sensor.value().to_world.point({});
+    EXPECT_NEAR(from.z, 2 - 1 / std::tan(std::numbers::pi / 8), 1e-12);
+    EXPECT_EQ(load("").sensor.value().to_world.point({}), Vec3{});
+}
+
+TEST_F(Spellings, WhatHasNoEffectIsListed) {
+    const auto scene = load(R"(<default name="n" value="1"/>
+<integrator type="volpath"><string name="anything" value="x"/></integrator>
+<sensor type="perspective"><float name="near_clip" value="1"/>
+<sampler type="multijitter"><integer name="sample_count" value="4"/></sampler></sensor>
+<sensor type="perspective"/>
+<bsdf type="diffuse" id="nobody"/>)");
+    std::vector<std::string> texts;
+    for (const Note& note : scene.notes) texts.push_back(std::to_string(note.place.line) + " " + note.text);
+    EXPECT_EQ(texts, (std::vector<std::string>{"3 integrator 'volpath'", "5 sampler 'multijitter'",
+                                               "4 'near_clip' of perspective", "6 another sensor",
+                                               "7 bsdf 'diffuse': no <ref> to 'nobody'",
+                                               "2 the default of $n, for which nothing asks"}));
+    for (const Note& note : scene.notes) EXPECT_EQ(note.kind, Note::Kind::ignored);
+}
+
+TEST_F(Spellings, LenientLeavesOutWhatNobodyReads) {
+    const auto scene = load(R"(<shape type="sphere"><string name="colour" value="red"/><rgb value="1"/>
+<transform name="to_world" x="1"/><flaot name="radius" value="2"/></shape><medium type="fog"/><bsdf type="plastic"/>)",
+                            {.lenient = true});
+    std::vector<std::string> texts;
+    for (const Note& note : scene.notes) texts.push_back(note.text);
+    EXPECT_EQ(texts, (std::vector<std::string>{
+                         "'radius' of sphere by its absence", "'colour' of sphere by its absence",
+                         "<rgb> of sphere by its absence", "the attribute 'x' of <transform> by its absence",
+                         "<medium> of <scene> by its absence", "bsdf 'plastic' by its absence", texts.back()}));
+    EXPECT_EQ(std::get<description::Sphere>(scene.shapes.at(0).geometry).radius, 1);
+}
+
+}  // namespace
+}  // namespace plumb
