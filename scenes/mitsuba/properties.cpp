@@ -222,9 +222,9 @@ void XmlProperties::pass_over(const std::string& name) {
 void XmlProperties::finish() {
     for (const std::string& name : names_without_effect(element_.tag)) {
         const auto found = values_.find(name);
-        const bool is_new = found != values_.end() && !found->second->reading.taken;
+        if (found == values_.end() || found->second->reading.taken) continue;
         pass_over(name);
-        if (is_new) loader_.ignored(found->second->place, fmt::format("'{}' of {}", name, type()));
+        loader_.ignored(found->second->place, fmt::format("'{}' of {}", name, type()));
     }
     report_unread(element_, loader_);
 }

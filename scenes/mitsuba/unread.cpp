@@ -36,22 +36,29 @@ std::string accepted(const XmlElement& element) {
     return said.empty() ? "nothing is accepted there" : fmt::format("accepted are {}", fmt::join(said, " and "));
 }
 
+std::string unknown_value(const std::string& name, const XmlElement& parent) {
+    const auto& asked = parent.reading.names;
+    const std::string typed = snake_case(name);
+    std::vector<std::string> known(asked.begin(), asked.end());
+    const std::string what = fmt::format("property of {}", label(parent));
+    // What has no effect may be meant, but is not offered.
+    std::vector<std::string> meant = known;
+    std::ranges::copy(names_without_effect(parent.tag), std::back_inserter(meant));
+    if (!nearest_name(typed, meant).empty()) return unknown_name(what, typed, meant).what();
+    if (known.empty()) return fmt::format("'{}' within {}; {}", name, label(parent), accepted(parent));
+    return unknown_name(what, typed, known).what();
+}
+
 /// The mistake that a child is which nobody read.
 std::string mistake(const XmlElement& child, const XmlElement& parent) {
     const std::string within = label(parent);
-    if (const auto name = child.attributes.find("name"); name != child.attributes.end() && is_value(child.tag)) {
-        const auto& names = parent.reading.names;
-        if (names.empty()) return fmt::format("'{}' within {}; {}", name->second, within, accepted(parent));
-        return unknown_name(fmt::format("property of {}", within), snake_case(name->second),
-                            {names.begin(), names.end()})
-            .what();
-    }
+    const auto name = child.attributes.find("name");
     if (is_value(child.tag))
-        return fmt::format("<{}> without a name within {}; {}", child.tag, within, accepted(parent));
-    if (child.tag == "ref" && !parent.reading.names.empty())
-        return fmt::format("<ref> to '{}' within {}, where nothing takes it; {}", child.attribute("id"), within,
-                           accepted(parent));
-    return fmt::format("<{}> within {}, where nothing takes it; {}", child.tag, within, accepted(parent));
+        return name != child.attributes.end()
+                   ? unknown_value(name->second, parent)
+                   : fmt::format("<{}> without a name within {}; {}", child.tag, within, accepted(parent));
+    const std::string target = child.tag == "ref" ? fmt::format(" to '{}'", child.attribute("id")) : "";
+    return fmt::format("<{}>{} within {}, where nothing takes it; {}", child.tag, target, within, accepted(parent));
 }
 
 void report_attributes(const XmlElement& element, Loader& loader) {
