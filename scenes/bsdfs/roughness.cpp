@@ -31,7 +31,7 @@ Roughness Roughness::load(Properties& properties) {
     if (!(roughness.alpha > 0))
         throw properties.place_of(properties.has("alpha_v") ? "alpha_v" : "alpha")
             .error(fmt::format("alpha is {}; roughness above 0 is accepted", roughness.alpha));
-    const std::string distribution = properties.string("distribution", "beckmann");
+    const std::string distribution = keyword(properties, "distribution", "beckmann");
     if (distribution == "ggx") {
         roughness.distribution = Microfacets::ggx;
     } else if (distribution != "beckmann") {

@@ -1,5 +1,7 @@
 #include "scenes/mitsuba/mitsuba_xml.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -74,6 +76,12 @@ void index_aliases(const XmlElement& root, Loader& loader) {
     }
 }
 
+/// Whether it is a shape's emitter that stands at the root for shapes to refer to.
+bool is_for_shapes(const XmlElement& element, const Loader& loader) {
+    return element.tag == "emitter" && element.has("id") && loader.referred.contains(element.attribute("id")) &&
+           description::serves<description::AreaEmitter>(element.attribute("type"));
+}
+
 void load_element(const XmlElement& element, Loader& loader) {
     description::Scene& scene = loader.scene;
     if (element.tag == "shape") {
@@ -82,6 +90,8 @@ void load_element(const XmlElement& element, Loader& loader) {
         load_material(element, loader);
     } else if (element.tag == "texture") {
         load_texture(element, loader);
+    } else if (is_for_shapes(element, loader)) {
+        return;
     } else if (element.tag == "emitter") {
         scene.emitters.push_back(load_emitter(element, loader));
     } else if (element.tag == "sensor") {
@@ -115,19 +125,29 @@ void accept_one(const XmlElement& root, const std::string& tag) {
     }
 }
 
+bool is_referred_into(const XmlElement& element, const Loader& loader) {
+    const auto id = element.attributes.find("id");
+    return (id != element.attributes.end() && loader.referred.contains(id->second)) ||
+           std::ranges::any_of(element.children, [&](const auto& child) { return is_referred_into(child, loader); });
+}
+
 // What stands at the root for others to refer to, and is referred to by none.
 void report_unreferred(const XmlElement& root, Loader& loader) {
     for (const XmlElement& child : root.children) {
         if (child.tag != "bsdf" && child.tag != "texture") continue;
         const std::string what = fmt::format("{} '{}'", child.tag, child.attribute("type"));
-        if (!child.has("id"))
+        const std::string id = child.has("id") ? child.attribute("id") : "";
+        if (loader.referred.contains(id)) continue;
+        if (is_referred_into(child, loader))
+            loader.ignored(child.place, fmt::format("{}: a <ref> leads to what is within, none to it", what));
+        else if (!id.empty())
+            loader.ignored(child.place, fmt::format("{}: no <ref> to '{}'", what, id));
+        else
             loader.replaced(
                 child.place, fmt::format("{} by its absence", what),
                 child.place.error(fmt::format("{} at the root without an id, so that nothing can refer to it; "
                                               "an id, or a place within what uses it, is accepted",
                                               what)));
-        else if (!loader.referred.contains(child.attribute("id")))
-            loader.ignored(child.place, fmt::format("{}: no <ref> to '{}'", what, child.attribute("id")));
     }
 }
 

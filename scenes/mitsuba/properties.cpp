@@ -171,7 +171,7 @@ double XmlProperties::index(const std::string& name, const std::string& otherwis
         result = parse_number(value->attribute("value"), value->place);
     } else {
         try {
-            result = named_index(value->attribute("value"));
+            result = named_index(description::lower_case(value->attribute("value")));
         } catch (const Error& error) {
             throw value->place.error(error.what());
         }

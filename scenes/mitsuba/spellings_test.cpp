@@ -58,6 +58,10 @@ TEST_F(Spellings, ErrorsNameWhatIsAcceptedInItsPlace) {
          "scene.xml:2: alpha is a <texture>; accepted is a number (<float>, <integer>)"},
         {bsdf("conductor", "<spectrum name=\"eta\" filename=\"a.spd\"/><rgb name=\"k\" value=\"1\"/>"),
          "scene.xml:2: a spectrum from a file; one number"},
+        {bsdf("diffuse", "<spectrum type=\"uniform\" name=\"reflectance\"/>"),
+         "scene.xml:2: a spectrum of type 'uniform'; one number"},
+        {bsdf("diffuse", "<rgb name=\"reflectance\" value=\"0.5\"><float name=\"scale\" value=\"2\"/></rgb>"),
+         "scene.xml:2: 'scale' within <rgb>; nothing is accepted there"},
         {shape("<emitter type=\"area\"><blackbody name=\"radiance\" temperature=\"5000\"/></emitter>"),
          "scene.xml:2: radiance is a <blackbody>; accepted is a constant"},
         {shape("<bsdf type=\"diffuse\"/><bsdf type=\"diffuse\"/>"),
@@ -73,7 +77,7 @@ TEST_F(Spellings, ErrorsNameWhatIsAcceptedInItsPlace) {
          "scene.xml:2: <shape> without a 'filename'; it has 'filenam'"},
         {"<bsdf type=\"diffuse\"/>", "scene.xml:2: bsdf 'diffuse' at the root without an id"},
         {"<float name=\"radius\" value=\"1\"/>", "scene.xml:2: 'radius' within <scene>; accepted are <alias> and"},
-        {shape("text"), "scene.xml:2: the text 'text' within <shape>; elements are accepted"},
+        {shape("text"), "scene.xml:2: the text 'text' within <shape>; values stand in attributes"},
     });
 }
 
@@ -153,6 +157,35 @@ TEST_F(Spellings, FilesAreFoundBesideTheirFileThenInTheFolders) {
     EXPECT_EQ(load("<include filename=\"parts/ball.xml\"/>").shapes.size(), 1u);
 }
 
+TEST_F(Spellings, ShapesMayReferToOneEmitter) {
+    const auto scene = load("<emitter type=\"area\" id=\"e\"><rgb name=\"radiance\" value=\"2\"/></emitter>" +
+                            shape("<ref id=\"e\"/>") + shape("<ref id=\"e\"/>"));
+    ASSERT_EQ(scene.shapes.size(), 2u);
+    for (const auto& lamp : scene.shapes) EXPECT_EQ(lamp.emitter.value().radiance, Spectrum::grey(2));
+    EXPECT_EQ(says("<emitter type=\"area\" id=\"e\"/>"), "scene.xml:2: emitter 'area' outside a shape");
+}
+
+TEST_F(Spellings, CapitalsDoNotMatterInKeywords) {
+    const auto index = [&](const std::string& medium) {
+        const auto scene = load(bsdf("dielectric", "<string name=\"int_ior\" value=\"" + medium + "\"/>"));
+        return std::get<description::Dielectric>(scene.materials.at(0).kind).eta;
+    };
+    EXPECT_EQ(index("Water"), index("water"));
+    EXPECT_DOUBLE_EQ(index("fused quartz"), 1.458 / 1.000277);
+    EXPECT_EQ(says(with_sensor("<float name=\"fov\" value=\"40\"/><string name=\"fovAxis\" value=\"Y\"/>")), "nothing");
+    EXPECT_EQ(says(bsdf("roughplastic", "<string name=\"distribution\" value=\"GGX\"/>")), "nothing");
+}
+
+TEST_F(Spellings, ALensFocusesOnTheFarClipUnlessToldOtherwise) {
+    const auto focus = [&](const std::string& inner) {
+        const auto scene = load("<sensor type=\"thinlens\">" + inner + "</sensor>");
+        return std::get<description::ThinLens>(scene.sensor.value().kind).focus_distance;
+    };
+    EXPECT_EQ(focus(""), 1e4);
+    EXPECT_EQ(focus("<float name=\"far_clip\" value=\"50\"/>"), 50);
+    EXPECT_EQ(focus("<float name=\"far_clip\" value=\"50\"/><float name=\"focus_distance\" value=\"3\"/>"), 3);
+}
+
 TEST_F(Spellings, AnAliasIsAnotherId) {
     const std::string red = bsdf("diffuse", "<rgb name=\"reflectance\" value=\"1 0 0\"/>");
     const auto scene = load(red + "<alias id=\"a\" as=\"b\"/>" + shape("<ref id=\"b\"/>"));
@@ -225,6 +258,13 @@ TEST_F(Spellings, ASceneWithoutASensorIsSeen) {
     const Vec3 from = scene.sensor.value().to_world.point({});
     EXPECT_NEAR(from.z, 2 - 1 / std::tan(std::numbers::pi / 8), 1e-12);
     EXPECT_EQ(load("").sensor.value().to_world.point({}), Vec3{});
+}
+
+TEST_F(Spellings, AnIdMayStandWithinWhatNobodyRefersTo) {
+    const auto scene =
+        load("<bsdf type=\"twosided\">" + bsdf("diffuse", "") + "</bsdf>" + with_sensor("") + shape("<ref id=\"a\"/>"));
+    ASSERT_EQ(scene.notes.size(), 1u);
+    EXPECT_EQ(scene.notes[0].text, "bsdf 'twosided': a <ref> leads to what is within, none to it");
 }
 
 TEST_F(Spellings, WhatHasNoEffectIsListed) {

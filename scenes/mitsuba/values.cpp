@@ -118,11 +118,12 @@ Vec3 parse_vector(const XmlElement& element, Vec3 otherwise) {
 }
 
 Spectrum parse_spectrum(const XmlElement& element, bool emission) {
-    if (element.has("filename") || element.tag == "blackbody") {
+    const bool has_file = element.tag == "spectrum" && element.has("filename");
+    const bool has_plugin = element.tag == "spectrum" && element.has("type");
+    if (has_file || has_plugin)
         throw element.place.error(
             fmt::format("a spectrum {}; one number, three, #rrggbb or nm:value pairs are accepted",
-                        element.tag == "blackbody" ? "by <blackbody>" : "from a file"));
-    }
+                        has_file ? "from a file" : fmt::format("of type '{}'", element.attribute("type"))));
     const std::string& text = element.attribute("value");
     if (text.starts_with('#')) return parse_hex(text, element.place);
     if (text.find(':') != std::string::npos) {

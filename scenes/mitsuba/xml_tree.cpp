@@ -114,7 +114,7 @@ private:
         for (const pugi::xml_node& child : node.children()) {
             if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
                 throw in.file.place(child).error(
-                    fmt::format("the text '{}' within <{}>; elements are accepted", child.value(), element.tag));
+                    fmt::format("the text '{}' within <{}>; values stand in attributes", child.value(), element.tag));
             if (child.type() == pugi::node_element) add(child, in, depth, element);
         }
         return element;

@@ -23,7 +23,7 @@ double load_fov_x(Properties& properties, const Film& film) {
     const Place& place = properties.place();
     const double width = film.width, height = film.height, degree = std::numbers::pi / 180;
     double fov = properties.number("fov", 0);
-    std::string axis = properties.string("fov_axis", "x");
+    std::string axis = keyword(properties, "fov_axis", "x");
     const std::string focal = properties.string("focal_length", "50mm");
     if (properties.has("focal_length") && (properties.has("fov") || properties.has("fov_axis")))
         throw properties.place_of("focal_length")
