@@ -24,6 +24,12 @@ Emitter load_emitter(const XmlElement& element, Loader& loader) {
     std::optional<Kind> kind = load_model<Kind>(description::EmitterModels{}, properties);
     if (!kind && description::serves<AreaEmitter>(properties.type()))
         throw element.place.error(fmt::format("emitter '{}' outside a shape", properties.type()));
+    if (!kind && (properties.type() == "sunsky" || properties.type() == "sky")) {
+        properties.replaced(fmt::format("emitter '{}' by a constant sky of radiance 1", properties.type()),
+                            loader.unknown_plugin(element));
+        kind = description::ConstantSky{};
+        element.reading.left_out = true;
+    }
     if (!kind) throw loader.unknown_plugin(element);
     properties.finish();
     return {*std::move(kind), element.place};

@@ -93,6 +93,13 @@ private:
     std::list<XmlElement> assumed_;
 };
 
+/// Fills Loader::named and Loader::referred. Throws Error for an id that two have.
+void index_references(const XmlElement& root, Loader& loader);
+/// Reports bsdfs and textures at the root to which no <ref> leads: an Error where none can, else a note.
+void report_unreferred(const XmlElement& root, Loader& loader);
+/// The place in words, without the file where that is the same.
+std::string as_seen_from(const description::Place& place, const description::Place& from);
+
 /// Whether Mitsuba has elements of this tag.
 bool is_known_tag(const std::string& tag);
 /// Whether elements of this tag are values, which have a name.
@@ -105,8 +112,10 @@ void report_unknown_tags(const XmlElement& element, Loader& loader);
 void report_unread(const XmlElement& element, Loader& loader);
 /// Names of values of a tag that Mitsuba knows and that have no effect on what Plumb computes.
 const std::vector<std::string>& names_without_effect(const std::string& tag);
-/// Notes an integrator or a sampler, which only advise; what nobody knows in one that is known is an Error.
-void pass_over(const XmlElement& element, Loader& loader);
+/// The integrator where Plumb has it; one that it lacks is noted with all that is in it.
+std::optional<description::Integrator> load_integrator(const XmlElement& element, Loader& loader);
+/// Notes a sampler, which is not followed; what nobody knows of samplers is an Error.
+void pass_over_sampler(const XmlElement& element, Loader& loader);
 
 Spectrum parse_spectrum(const XmlElement& element, bool emission);
 /// The map of a <transform>: of space, or of a texture's (u, v), whose matrices of nine numbers are those of the plane.

@@ -42,7 +42,7 @@ Sensor load_sensor(const XmlElement& element, Loader& loader) {
     XmlProperties properties(element, loader);
     Sensor sensor{.to_world = properties.transform("to_world"), .kind = {}, .film = {}, .place = element.place};
     if (const XmlElement* film = properties.part("film")) sensor.film = load_film(*film, loader);
-    if (const XmlElement* sampler = properties.part("sampler")) pass_over(*sampler, loader);
+    if (const XmlElement* sampler = properties.part("sampler")) pass_over_sampler(*sampler, loader);
     std::optional<Kind> kind = load_model<Kind>(description::SensorModels{}, properties, sensor.film);
     if (!kind) throw loader.unknown_plugin(element);
     sensor.kind = *std::move(kind);
