@@ -116,6 +116,25 @@ TEST_F(RenderCommand, EndsWhenItsErrorIsReached) {
     EXPECT_THAT(complaint("render quad_light --error much -o d.exr"), HasSubstr("'much' is not an error"));
 }
 
+TEST_F(RenderCommand, FollowsTheIntegratorOfTheSceneUnlessAskedOtherwise) {
+    const auto made_of = [&](const std::string& integrator, const std::string& options = "") {
+        write("a.xml", "<scene version=\"3.0.0\">" + integrator + "<shape type=\"sphere\"/></scene>");
+        const Said said = plumb("render a.xml --spp 1 --crop 0,0,2,2 -o a.exr " + options);
+        EXPECT_EQ(said.exit_code, 0) << said.error;
+        const auto metadata = image("a.exr").metadata;
+        return metadata.at("plumb:integrator") + " " + metadata.at("plumb:max_depth") + " " +
+               (said.out.find("not followed: integrator") == std::string::npos ? "followed" : "not followed");
+    };
+    const std::string path = "<integrator type=\"path\"><integer name=\"max_depth\" value=\"3\"/></integrator>";
+    EXPECT_EQ(made_of(path), "path 3 followed");
+    EXPECT_EQ(made_of(path, "--max-depth 5"), "path 5 followed");
+    EXPECT_EQ(made_of(path, "--integrator bdpt"), "bdpt -1 followed");
+    EXPECT_EQ(made_of("<integrator type=\"direct\"/>"), "direct -1 followed");
+    EXPECT_EQ(made_of("<integrator type=\"ptracer\"/>"), "light -1 followed");
+    EXPECT_EQ(made_of(""), "path -1 followed");
+    EXPECT_EQ(made_of("<integrator type=\"volpath\"/>"), "path -1 not followed");
+}
+
 TEST_F(RenderCommand, NamesWhatIsWrong) {
     EXPECT_THAT(complaint("render quad_ligth -o a.exr"), HasSubstr("did you mean 'quad_light'"));
     EXPECT_THAT(complaint("render missing.xml -o a.exr"), HasSubstr("missing.xml"));

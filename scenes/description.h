@@ -24,13 +24,20 @@ struct Note {
     std::string text;
 };
 
+/// The integrator that a file asks for, in Plumb's words, and which paths: advice to whoever renders the scene.
+struct Integrator {
+    std::string name;                                   ///< "path"
+    std::optional<int> longest = {}, roulette_at = {};  ///< in edges from the sensor; longest −1: no limit
+};
+
 /// A scene as its file describes it.
 struct Scene {
     std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Shape> shapes;
     std::vector<Emitter> emitters;
-    std::optional<Sensor> sensor;  ///< the first one of the file
+    std::optional<Sensor> sensor;          ///< the first one of the file
+    std::optional<Integrator> integrator;  ///< where the file names one that Plumb has
     std::vector<Note> notes;
     std::uint64_t content_hash = 0;  ///< of the text after includes and $names, and of every file that it names
 };

@@ -29,11 +29,12 @@ void cut(RenderSettings& settings, std::uint32_t samples, std::uint32_t passes) 
 }
 
 int explain(const Options& options) {
-    const RenderMethod method = method_of(options);
+    ReadScene read = read_scene(options.scene, options.load);
+    const RenderMethod method = method_of(options, read.description);
     const auto estimator = estimator_of(method);
     require_writable({options.json});
     const Session session(options.seed, 1);
-    const LoadedScene scene = load_scene(options.scene, options.load);
+    const LoadedScene scene = made_ready(std::move(read));
     RenderSettings settings = settings_of(options, session.run.seed, scene.scene.sensor().film());
     if (options.replicates > 0) cut(settings, options.samples_per_pixel, options.replicates);
     const RenderJob job = job_of(method, scene.scene, *estimator, settings);

@@ -9,8 +9,10 @@ namespace plumb::cli {
 
 void add_transport(CLI::App& verb, PathOptions& options) {
     verb.add_option("scene", options.scene, "a scene in Mitsuba's XML, or the name of a shipped one")->required();
-    verb.add_option("--integrator", options.integrator, "what a path is: see plumb list integrators")
-        ->capture_default_str();
+    const std::string otherwise =
+        options.integrator.value_or("the scene's with its limits, where Plumb has it, or path");
+    verb.add_option("--integrator", options.integrator,
+                    fmt::format("what a path is: see plumb list integrators [{}]", otherwise));
     verb.add_option("--driver", options.driver, "which paths, in which passes: see plumb list drivers")
         ->capture_default_str();
     verb.add_option("--sampler", options.sampler,
@@ -24,12 +26,11 @@ void add_transport(CLI::App& verb, PathOptions& options) {
             "a parameter of the integrator or the driver, name=value; may be given several times")
         ->check(checked(parse_parameter));
     verb.add_option("--max-depth", options.max_depth,
-                    "the longest paths, in edges from the sensor (1: lights seen directly); -1: no limit")
-        ->check(CLI::Range(-1, 30000))
-        ->capture_default_str();
-    verb.add_option("--rr-depth", options.roulette_depth, "how many edges a path has before Russian roulette begins")
-        ->check(CLI::Range(0, 30000))
-        ->capture_default_str();
+                    "the longest paths, in edges from the sensor (1: lights seen directly); -1: no limit [-1]")
+        ->check(CLI::Range(-1, 30000));
+    verb.add_option("--rr-depth", options.roulette_depth,
+                    "how many edges a path has before Russian roulette begins [5]")
+        ->check(CLI::Range(0, 30000));
     verb.add_option_function<std::vector<std::string>>(
             "-D",
             [&](const std::vector<std::string>& texts) {
@@ -64,10 +65,18 @@ CLI::Option* add_error(CLI::App& verb, RenderEnd& end) {
     return error;
 }
 
-RenderMethod method_of(const PathOptions& options) {
-    PathLimits limits{options.max_depth, options.roulette_depth, options.length};
+RenderMethod method_of(const PathOptions& options, const description::Scene& scene) {
+    const description::Integrator asked = options.integrator
+                                              ? description::Integrator{.name = *options.integrator}
+                                              : scene.integrator.value_or(description::Integrator{.name = "path"});
+    const auto first = [](std::optional<int> given, std::optional<int> advised, int otherwise) {
+        return given ? *given : advised.value_or(otherwise);
+    };
+    const PathLimits defaults;
+    PathLimits limits{first(options.max_depth, asked.longest, defaults.max_edges),
+                      first(options.roulette_depth, asked.roulette_at, defaults.roulette_edges), options.length};
     if (!options.strategy.empty()) limits.strategy = Strategy{options.strategy[0], options.strategy[1]};
-    return resolved({options.integrator, options.driver, options.sampler, limits, options.parameters});
+    return resolved({asked.name, options.driver, options.sampler, limits, options.parameters});
 }
 
 RenderSettings settings_of(const PathOptions& options, std::uint64_t seed, FilmSize film) {

@@ -48,11 +48,11 @@ std::optional<int> kept(const std::filesystem::path& file, const Provenance& has
 }
 
 int reference(const Options& options) {
-    const RenderMethod method = method_of(options);
     ReadScene read = read_scene(options.scene, options.load);
+    const RenderMethod method = method_of(options, read.description);
     Provenance wanted = identity_of(read);
     wanted.integrator = method.integrator;
-    wanted.limits.max_edges = options.max_depth;
+    wanted.limits.max_edges = method.limits.max_edges;
     if (!wanted.is_radiance())
         throw Error(fmt::format("the integrator '{}' makes no pictures to compare others with", method.integrator));
     const std::filesystem::path file = reference_file(options.cache, wanted);

@@ -29,9 +29,10 @@ fs::path output_of(const Options& options, const LoadedScene& scene) {
 }
 
 int render(const Options& options) {
-    const RenderMethod method = method_of(options);
+    ReadScene read = read_scene(options.scene, options.load);
+    const RenderMethod method = method_of(options, read.description);
     Session session(options.seed, options.threads);
-    const LoadedScene scene = load_scene(options.scene, options.load);
+    const LoadedScene scene = made_ready(std::move(read));
     const fs::path out = output_of(options, scene);
     require_writable({out});
     if (!options.shard) check_image_format(out);

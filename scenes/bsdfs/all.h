@@ -5,6 +5,7 @@
 #include "scenes/bsdfs/diffuse.h"
 #include "scenes/bsdfs/mask.h"
 #include "scenes/bsdfs/plastic.h"
+#include "scenes/bsdfs/thindielectric.h"
 #include "scenes/bsdfs/twosided.h"
 
 namespace plumb {
@@ -12,7 +13,7 @@ namespace plumb {
 namespace description {
 
 /// All materials, under the conventions of scenes/bsdfs/material.h; each brings its closures with it.
-using MaterialModels = Types<Diffuse, Conductor, Dielectric, Plastic, TwoSided, Mask>;
+using MaterialModels = Types<Diffuse, Conductor, Dielectric, Plastic, TwoSided, Mask, ThinDielectric>;
 
 /// A material as the file has it.
 struct Material {

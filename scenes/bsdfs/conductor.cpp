@@ -19,9 +19,11 @@ namespace description {
 
 Conductor Conductor::load(Properties& properties) {
     Conductor conductor;
-    const std::string name = properties.string("material", "Cu");
+    const std::string name = properties.string("material", "none");
     const Place& place = properties.place();
     if (properties.has("eta") != properties.has("k")) throw place.error("eta and k go together; only one is given");
+    if (properties.has("eta") && name != "none")
+        throw properties.place_of("material").error("material is given, and eta and k too; one way is accepted");
     const double outside = properties.index("ext_eta", "vacuum");
     if (properties.has("eta")) {
         conductor.eta = properties.spectrum("eta", {}) / outside;

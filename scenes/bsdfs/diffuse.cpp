@@ -25,6 +25,9 @@ Diffuse Diffuse::load(Properties& properties) {
     // 0.4 wrote diffuse_reflectance.
     const auto old = properties.reflectance("diffuse_reflectance", Spectrum::grey(0.5));
     const auto reflectance = properties.reflectance("reflectance", Spectrum::grey(0.5));
+    if (properties.has("diffuse_reflectance") && properties.has("reflectance"))
+        throw properties.place_of("diffuse_reflectance")
+            .error("reflectance is given, and diffuse_reflectance too; one of them is accepted");
     return {properties.has("diffuse_reflectance") ? old : reflectance};
 }
 

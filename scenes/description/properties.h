@@ -53,6 +53,11 @@ public:
     virtual void replaced(std::string text, const Error& error) = 0;
 };
 
+/// A string in which capitals do not matter, in small letters.
+std::string keyword(Properties& properties, const std::string& name, const std::string& otherwise);
+/// The text in small letters.
+std::string lower_case(std::string text);
+
 /// One finite number, the whole text; throws an Error at the place.
 double parse_number(const std::string& text, const Place& place);
 

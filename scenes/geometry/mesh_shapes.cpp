@@ -39,8 +39,6 @@ Mesh finished(Mesh mesh, Properties& properties, bool turned) {
     } else if (mesh.normals.empty()) {
         add_smooth_normals(mesh);
     }
-    properties.number("max_smooth_angle", 0);
-    properties.boolean("collapse", false);
     return placed(std::move(mesh), properties);
 }
 

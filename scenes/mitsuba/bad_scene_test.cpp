@@ -13,7 +13,8 @@ class BadScene : public testing_files::Folder {
 protected:
     /// What loading says of a scene whose second line is this.
     std::string says(const std::string& body) const {
-        return message([&] { return load_mitsuba(write("a.xml", "<scene>\n" + body + "\n</scene>\n")); });
+        return message(
+            [&] { return load_mitsuba(write("a.xml", "<scene version=\"3.0.0\">\n" + body + "\n</scene>\n")); });
     }
     std::string says_of_mesh(const std::string& name, const std::string& text) const {
         write(name, text);
@@ -21,7 +22,7 @@ protected:
                     "\"/></shape>");
     }
     std::string says_of_bsdf(const std::string& type, const std::string& properties) const {
-        return says("<bsdf type=\"" + type + "\">" + properties + "</bsdf>");
+        return says("<bsdf type=\"" + type + "\" id=\"a\">" + properties + "</bsdf>");
     }
 };
 
@@ -50,7 +51,7 @@ TEST_F(BadScene, MissingFiles) {
         EXPECT_EQ(says("<" + element + ">\n<string name=\"filename\" value=\"no/x\"/></" + tag + ">"),
                   "a.xml:3: there is no file no/x");
     }
-    EXPECT_EQ(says("<include filename=\"b.xml\"/>"), "a.xml:2: cannot read the scene file b.xml");
+    EXPECT_EQ(says("<include filename=\"b.xml\"/>"), "a.xml:2: there is no file b.xml");
 }
 
 TEST_F(BadScene, TruncatedMeshes) {
@@ -170,8 +171,8 @@ TEST_F(BadScene, Indices) {
     EXPECT_EQ(says_of_bsdf("conductor", "<string name=\"material\" value=\"Xx\"/>").substr(0, 30),
               "a.xml:2: unknown metal 'Xx'; d");
     EXPECT_EQ(message([&] {
-                  return Scene(load_mitsuba(
-                      write("a.xml", "<scene>\n<bsdf type=\"plastic\">" + number("int_ior", "1") + "</bsdf></scene>")));
+                  return Scene(load_mitsuba(write("a.xml", "<scene>\n<bsdf type=\"plastic\" id=\"a\">" +
+                                                               number("int_ior", "1") + "</bsdf></scene>")));
               }).substr(0, 45),
               "a.xml:2: int_ior over ext_ior is 0.9997230767");
 }

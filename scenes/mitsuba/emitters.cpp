@@ -21,10 +21,15 @@ AreaEmitter load_area_emitter(const XmlElement& element, Loader& loader) {
 Emitter load_emitter(const XmlElement& element, Loader& loader) {
     using Kind = decltype(Emitter::kind);
     XmlProperties properties(element, loader);
-    properties.number("sampling_weight", 1);
     std::optional<Kind> kind = load_model<Kind>(description::EmitterModels{}, properties);
     if (!kind && description::serves<AreaEmitter>(properties.type()))
         throw element.place.error(fmt::format("emitter '{}' outside a shape", properties.type()));
+    if (!kind && (properties.type() == "sunsky" || properties.type() == "sky")) {
+        properties.replaced(fmt::format("emitter '{}' by a constant sky of radiance 1", properties.type()),
+                            loader.unknown_plugin(element));
+        kind = description::ConstantSky{};
+        element.reading.left_out = true;
+    }
     if (!kind) throw loader.unknown_plugin(element);
     properties.finish();
     return {*std::move(kind), element.place};

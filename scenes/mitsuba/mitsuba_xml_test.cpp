@@ -92,15 +92,16 @@ TEST_F(MitsubaXml, IncludesAndRefusesToIncludeItself) {
     EXPECT_EQ(load("<include filename=\"b.xml\"/><shape type=\"cube\"><ref id=\"x\"/></shape>").materials.size(), 1u);
     write("c.xml", "<scene>\n\n<include filename=\"a.xml\"/></scene>");
     EXPECT_EQ(says("<include filename=\"c.xml\"/>"), "c.xml:3: include of a.xml, which is being read already");
-    EXPECT_EQ(says("<include filename=\"d.xml\"/>"), "a.xml:2: cannot read the scene file d.xml");
+    EXPECT_EQ(says("<include filename=\"d.xml\"/>"), "a.xml:2: there is no file d.xml");
 }
 
 TEST_F(MitsubaXml, LenientReplacesAndLists) {
-    const std::string body = R"(<bsdf type="bumpmap"><texture name="map" type="wood"/><bsdf type="plastic"/></bsdf>
+    const std::string body =
+        R"(<bsdf type="bumpmap" id="b"><texture name="map" type="wood"/><bsdf type="plastic"/></bsdf>
 <shape type="cube"><bsdf type="hair"><float name="longitude" value="1"/></bsdf></shape>)";
     EXPECT_EQ(says(body).substr(0, 50), "a.xml:2: unknown bsdf 'bumpmap'; there are conduct");
     const Scene scene = load(body, {.lenient = true});
-    ASSERT_EQ(scene.notes.size(), 2u);
+    ASSERT_EQ(scene.notes.size(), 4u);  // and that nothing refers to the first, and that there is no sensor
     EXPECT_EQ(scene.notes[0].text, "bsdf 'bumpmap' by its child");
     EXPECT_EQ(scene.notes[1].text, "bsdf 'hair' by grey diffuse");
     EXPECT_EQ(scene.notes[1].place.line, 3);
@@ -144,7 +145,8 @@ TEST_F(MitsubaXml, ErrorsNameFileLineAndValue) {
         {"<sensor type=\"perspective\"><film type=\"hdrfilm\"><integer name=\"width\" value=\"0\"/></film></sensor>",
          "a.xml:2: a film of 0×576; 1 to 65536 pixels a side are accepted"},
         {"<float name=\"x\" value=\"$y\"/>", "a.xml:2: $y has no value; give -D y=… or a <default> before it"},
-        {"<medium type=\"x\"/>", "a.xml:2: unknown element 'medium'; "},
+        {"<medium type=\"x\"/>",
+         "a.xml:2: <medium> within <scene>, where nothing takes it; accepted are <alias> and <bsdf>"},
     };
     for (const auto& [body, expected] : cases) EXPECT_EQ(says(body).substr(0, expected.size()), expected) << body;
     EXPECT_EQ(says("", {.definitions = {{"sp", "1"}}}), "-D sp: nothing in the scene asks for $sp");

@@ -25,18 +25,10 @@ Shape load_shape(const XmlElement& element, Loader& loader) {
                 .emitter = {},
                 .id = element.has("id") ? element.attribute("id") : "",
                 .place = element.place};
-    bool has_material = false;
-    for (const XmlElement& child : element.children) {
-        if (child.tag != "bsdf" && child.tag != "ref" && child.tag != "emitter") continue;
-        const XmlElement& target = loader.resolve(child);
-        if (target.tag == "bsdf") {
-            shape.material = load_material(target, loader);
-            has_material = true;
-        } else if (target.tag == "emitter") {
-            shape.emitter = load_area_emitter(target, loader);
-        }
-    }
-    if (!has_material) {
+    if (const XmlElement* emitter = properties.part("emitter")) shape.emitter = load_area_emitter(*emitter, loader);
+    if (const XmlElement* material = properties.part("bsdf")) {
+        shape.material = load_material(*material, loader);
+    } else {
         shape.material = {static_cast<std::uint32_t>(loader.scene.materials.size())};
         loader.scene.materials.push_back({.kind = description::Diffuse{}, .id = "", .place = element.place});
     }

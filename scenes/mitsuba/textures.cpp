@@ -38,6 +38,7 @@ TextureId load_texture(const XmlElement& element, Loader& loader) {
     } else {
         properties.replaced(fmt::format("texture '{}' by grey", properties.type()), loader.unknown_plugin(element));
         texture.kind = Checkerboard{Spectrum::grey(0.5), Spectrum::grey(0.5)};
+        element.reading.left_out = true;
     }
     properties.finish();
     const TextureId id{static_cast<std::uint32_t>(loader.scene.textures.size())};

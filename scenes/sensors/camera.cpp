@@ -23,12 +23,18 @@ double load_fov_x(Properties& properties, const Film& film) {
     const Place& place = properties.place();
     const double width = film.width, height = film.height, degree = std::numbers::pi / 180;
     double fov = properties.number("fov", 0);
-    std::string axis = properties.string("fov_axis", "x");
+    std::string axis = keyword(properties, "fov_axis", "x");
     const std::string focal = properties.string("focal_length", "50mm");
+    if (properties.has("focal_length") && (properties.has("fov") || properties.has("fov_axis")))
+        throw properties.place_of("focal_length")
+            .error("focal_length is given, and fov or fov_axis too; one way is accepted");
+    if (properties.has("fov_axis") && !properties.has("fov"))
+        throw properties.place_of("fov_axis").error("fov_axis is given without fov; both together are accepted");
     if (!properties.has("fov")) {
         // The angle is that of a 35 mm camera, whose frame measures 36 × 24 mm.
         const std::string digits = focal.ends_with("mm") ? focal.substr(0, focal.size() - 2) : focal;
-        fov = 2 * std::atan(std::hypot(36.0, 24.0) / (2 * parse_number(digits, place))) / degree;
+        fov = 2 * std::atan(std::hypot(36.0, 24.0) / (2 * parse_number(digits, properties.place_of("focal_length")))) /
+              degree;
         axis = "diagonal";
     }
     if (!(fov > 0 && fov < 180))

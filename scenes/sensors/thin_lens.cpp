@@ -54,9 +54,10 @@ std::optional<SensorSample> ThinLens::connect(Vec3 from, const Point<2>& lens) c
 namespace description {
 
 ThinLens ThinLens::load(Properties& properties, const Film& film) {
+    const double far_clip = properties.number("far_clip", 1e4);  // where Mitsuba focuses unless told otherwise
     ThinLens lens{.fov_x = load_fov_x(properties, film),
                   .aperture_radius = properties.number("aperture_radius", 0),
-                  .focus_distance = properties.number("focus_distance", 1)};
+                  .focus_distance = properties.number("focus_distance", far_clip)};
     if (!(lens.aperture_radius >= 0))
         throw properties.place_of("aperture_radius")
             .error(fmt::format("aperture_radius is {}; values from 0 are accepted", lens.aperture_radius));

@@ -45,10 +45,29 @@ std::vector<std::string> metal_names() {
 }
 
 double named_index(const std::string& name) {
-    static const Table<double> table{{"acetone", 1.36},  {"acrylic glass", 1.49}, {"air", 1.000277},
-                                     {"benzene", 1.501}, {"bk7", 1.5046},         {"diamond", 2.419},
-                                     {"ethanol", 1.361}, {"polypropylene", 1.49}, {"pet", 1.575},
-                                     {"vacuum", 1.0},    {"water", 1.333},        {"water ice", 1.31}};
+    static const Table<double> table{{"acetone", 1.36},
+                                     {"acrylic glass", 1.49},
+                                     {"air", 1.000277},
+                                     {"amber", 1.55},
+                                     {"benzene", 1.501},
+                                     {"bk7", 1.5046},
+                                     {"bromine", 1.661},
+                                     {"carbon dioxide", 1.00045},
+                                     {"carbon tetrachloride", 1.461},
+                                     {"diamond", 2.419},
+                                     {"ethanol", 1.361},
+                                     {"fused quartz", 1.458},
+                                     {"glycerol", 1.4729},
+                                     {"helium", 1.000036},
+                                     {"hydrogen", 1.000132},
+                                     {"pet", 1.575},
+                                     {"polypropylene", 1.49},
+                                     {"pyrex", 1.47},
+                                     {"silicone oil", 1.52045},
+                                     {"sodium chloride", 1.544},
+                                     {"vacuum", 1.0},
+                                     {"water", 1.333},
+                                     {"water ice", 1.31}};
     return lookup(table, "medium", name);
 }
 

@@ -42,6 +42,8 @@ Bitmap Bitmap::load(Properties& properties) {
     Bitmap bitmap{.file = properties.file("filename"), .raw = properties.boolean("raw", false)};
     // 0.6 gives a gamma instead: 1 means linear, -1 (as the file says) is what we do anyway.
     const double gamma = properties.number("gamma", -1);
+    if (properties.has("gamma") && properties.has("raw"))
+        throw properties.place_of("gamma").error("gamma is given, and raw too; one of them is accepted");
     if (gamma == 1) bitmap.raw = true;
     if (gamma != 1 && gamma != -1) properties.ignored(fmt::format("gamma {} of bitmap; sRGB is taken", gamma));
     if (const std::string filter = properties.string("filter_type", "bilinear"); filter != "bilinear") {

@@ -53,7 +53,7 @@ void add_features(const XmlElement& element, std::set<KindAndName>& used) {
 
 std::set<KindAndName> features_of_shipped_scenes() {
     std::set<KindAndName> used;
-    for (const ShippedScene& scene : shipped_scenes()) add_features(read_xml_tree(scene.file, {}), used);
+    for (const ShippedScene& scene : shipped_scenes()) add_features(read_xml_tree(scene.file, {}).root, used);
     return used;
 }
 

@@ -22,7 +22,7 @@ SceneName name_of_material(const Scene& scene, std::uint32_t shape) {
 }
 
 SceneName name_of_light(const Scene& scene, std::size_t light) {
-    const auto& [textures, materials, shapes, emitters, sensor, notes, hash] = scene.description();
+    const auto& [textures, materials, shapes, emitters, sensor, integrator, notes, hash] = scene.description();
     std::size_t next = 0;
     for (const description::Shape& shape : shapes)
         if (shape.emitter && next++ == light) return {"light", light, shape.id, shape.emitter->place};
