@@ -165,6 +165,19 @@ TEST_F(IntegrateCommand, ScalesSamplesToADomain) {
     EXPECT_THAT(complaint("integrate s.csv"), AllOf(HasSubstr("s.csv:1: column 1: -1"), HasSubstr("--domain")));
 }
 
+TEST_F(IntegrateCommand, ReadsColumnsByTheirNames) {
+    write("s.csv", "x,f\n0.25,3\n0.5,4\n0.75,8\n");
+    const Json value = answer("s.csv")["value"];
+    write("turned.csv", "f,x\n3,0.25\n4,0.5\n8,0.75\n");
+    write("named.tsv", "# f\tx\n3\t0.25\n4\t0.5\n8\t0.75\n");
+    write("numpy.txt", "# x f\n2.5e-01 3.0e+00\n5.0e-01 4.0e+00\n7.5e-01 8.0e+00\n");
+    write("excel.csv", "x;f\r\n0.25;3\r\n0.5;4\r\n0.75;8\r\n");
+    for (const char* file : {"turned.csv", "named.tsv", "numpy.txt", "excel.csv"})
+        EXPECT_EQ(answer(file)["value"], value) << file;
+    write("wrong.csv", "value,x\n3,0.25\n4,0.5\n");
+    EXPECT_THAT(complaint("integrate wrong.csv"), HasSubstr("wrong.csv: columns value,x found; accepted are 2 (x,f)"));
+}
+
 TEST_F(IntegrateCommand, SaysWhatIsWrong) {
     EXPECT_THAT(complaint("integrate 'exp(x'"), HasSubstr("formula 'exp(x', column 6"));
     EXPECT_THAT(complaint("integrate ''"), HasSubstr("column 1"));

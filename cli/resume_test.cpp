@@ -1,6 +1,7 @@
 // The real program, interrupted and resumed, or split into shards and merged, gives what one run gives.
 
 #include <gmock/gmock.h>
+#include <sqlite3.h>
 
 #include <thread>
 
@@ -23,6 +24,7 @@ Words with(Words words, const Words& more) {
 }
 
 const Words much = {"verify", "points/*", "mis/*", "--seed", "7", "--threads", "1"};
+const Words some = {"verify", "mis/*", "--seed", "7", "--threads", "1"};
 const Words little = {"verify", "debiasing/*", "--seed", "7"};
 
 /// What a run left in its JSON file, without side records.
@@ -89,6 +91,38 @@ TEST(Resume, GoesOnAfterTheDiskWasFull) {
     Program whole(folder.path(), with(little, {"--store", "whole.db", "--report", ""}));
     EXPECT_EQ(whole.wait(), 0);
     EXPECT_EQ(comparable(folder / "a.db"), comparable(folder / "whole.db"));
+}
+
+// A kill in the middle of a write leaves SQLite's journal beside the store; here another writer leaves it.
+TEST(Resume, GoesOnAfterAKill) {
+    const TestFolder folder;
+    Program killed(folder.path(), with(some, {"--store", "a.db", "--report", ""}));
+    wait_for_a_verdict(folder / "a.db");
+    sqlite3* other = nullptr;
+    ASSERT_EQ(sqlite3_open((folder / "a.db").c_str(), &other), SQLITE_OK);
+    sqlite3_busy_timeout(other, 5000);
+    killed.send(SIGKILL);
+    EXPECT_EQ(killed.wait(), -SIGKILL);
+    ASSERT_EQ(sqlite3_exec(other,
+                           "PRAGMA cache_size = 1; BEGIN IMMEDIATE; UPDATE runs SET seconds = 7; UPDATE claims SET "
+                           "json = hex(randomblob(100000))",
+                           nullptr, nullptr, nullptr),
+              SQLITE_OK)
+        << sqlite3_errmsg(other);
+    for (const std::string name : {"list", "resume", "merge"})
+        for (const std::string suffix : {".db", ".db-journal"})
+            write_file(folder / (name + suffix), read_file(folder / ("a" + suffix)));
+    sqlite3_close(other);
+
+    Program list(folder.path(), {"report", "--list", "--store", "list.db"});
+    EXPECT_EQ(list.wait(), 0) << list.errors();
+    Program merge(folder.path(), {"merge", "merge.db"});
+    EXPECT_EQ(merge.wait(), 2);
+    EXPECT_THAT(merge.errors(), HasSubstr("is unfinished; `plumb verify --resume --store merge.db` goes on"));
+    Program whole(folder.path(), with(some, {"--store", "whole.db", "--report", ""}));
+    Program resumed(folder.path(), {"verify", "--resume", "--store", "resume.db", "--report", ""});
+    EXPECT_EQ(resumed.wait(), whole.wait()) << resumed.errors();
+    EXPECT_EQ(comparable(folder / "resume.db"), comparable(folder / "whole.db"));
 }
 
 TEST(Shards, MakeUpTheRunWithoutShards) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -29,23 +30,32 @@ private:
     bool terminal_;
 };
 
+/// How long the rest takes when `share` of the work took so many seconds, e.g. ", about 12 s left"; empty where nobody
+/// can know yet.
+std::string time_left(double seconds, double share);
+
 /// Throws Error for the first file that cannot be written, before the work instead of after it. An empty name is no
 /// file.
 void require_writable(const std::vector<std::string>& files);
 
 /// The things that verbs which draw random numbers have in common: a run with its seed (a new one when none is given),
-/// threads (the hardware's when 0) and seconds, and a line of progress.
+/// threads (the hardware's when 0) and seconds, a line of progress, and an end by SIGINT or SIGTERM that says so.
 class Session {
 public:
     Session(std::optional<std::uint64_t> seed, int threads);
 
-    /// Works on the run's threads and adds the seconds to the run; the line of progress is gone afterwards.
-    void work(const std::function<void()>& body);
+    /// Works on the run's threads and adds the seconds to the run; the line of progress is gone afterwards. SIGINT and
+    /// SIGTERM end the program within a second, with exit code 128 + the signal and a line that says what became of
+    /// the outputs: `if_stopped`.
+    void work(const std::function<void()>& body, const std::string& if_stopped = "nothing is saved");
     void show(std::string_view progress) { line_.show(progress); }
+    /// Shows what is worked at, the share of the work that is done and the time that the rest takes.
+    void show(double share, std::string_view what);
 
     reports::RunInfo run;
 
 private:
+    std::chrono::steady_clock::time_point start_;
     ProgressLine line_;
 };
 

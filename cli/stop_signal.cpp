@@ -42,4 +42,8 @@ int StopSignal::caught() {
     return noted;
 }
 
+const char* name_of_signal(int signal) {
+    return signal == SIGINT ? "SIGINT" : "SIGTERM";
+}
+
 }  // namespace plumb::cli

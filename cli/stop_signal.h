@@ -15,4 +15,7 @@ public:
     [[nodiscard]] static int caught();
 };
 
+/// "SIGINT" or "SIGTERM".
+const char* name_of_signal(int signal);
+
 }  // namespace plumb::cli

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <csignal>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "core/file.h"
@@ -47,6 +48,16 @@ public:
     Program& operator=(const Program&) = delete;
 
     void send(int signal) const { ::kill(process_, signal); }
+    /// Waits until the program has a handler of its own for the signal, two minutes at most.
+    void wait_until_it_catches(int signal) const {
+        const std::string status = "/proc/" + std::to_string(process_) + "/status", key = "SigCgt:";
+        for (int times = 0; times < 12'000; ++times) {
+            const std::string text = read_file(status);
+            const std::uint64_t mask = std::stoull(text.substr(text.find(key) + key.size()), nullptr, 16);
+            if ((mask >> (signal - 1) & 1) != 0) return;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+    }
     /// Waits for the end. Returns the exit code, or −signal when a signal ended the program.
     int wait() {
         int status = 0;

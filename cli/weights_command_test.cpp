@@ -42,6 +42,11 @@ TEST_F(WeightsCommand, ScalesToADomain) {
     EXPECT_NEAR(weights.at(1, 2), 2.5 * 3, 1e-12);
 }
 
+TEST_F(WeightsCommand, ReadsColumnsByTheirNames) {
+    write("p.csv", "y;x\n0.5;0.125\n0.5;0.625\n");
+    EXPECT_EQ(plumb("weights p.csv").out, "x,y,weight\n0.125,0.5,0.375\n0.625,0.5,0.625\n");
+}
+
 TEST_F(WeightsCommand, SaysWhatIsWrong) {
     write("bad.csv", "x,y\n0.5,0.5\n0.5,half\n");
     EXPECT_THAT(complaint("weights bad.csv -o w.csv"), HasSubstr("bad.csv:3: column 2 (y): 'half' found"));

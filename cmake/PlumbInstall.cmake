@@ -29,6 +29,7 @@ plumb_install(sampling densities debiasing points replicates mis HEADERS estimat
 plumb_install(estimators voronoi reweighting estimators)
 plumb_install(main reports program main HEADERS cli/program.h)
 install(TARGETS plumb)
+install(TARGETS plumb_image_module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/plumb)
 file(GLOB scenes CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/scenes/shipped/*/scene.xml")
 foreach(scene IN LISTS scenes)
   cmake_path(GET scene PARENT_PATH folder)

@@ -112,6 +112,18 @@ reports::FigureResult measure_figure(const Study& study, const FigurePlan& plan,
     return figure;
 }
 
+std::size_t steps_of(const FigurePlan& plan) {
+    std::size_t steps = 0;
+    for (const std::string& id : plan.integrands) steps += known_integrand(id) ? plan.estimators.size() : 1;
+    return steps;
+}
+
+std::size_t steps_of(const Study& study) {
+    std::size_t steps = 0;
+    for (const FigurePlan& plan : study.figures) steps += steps_of(plan);
+    return steps;
+}
+
 std::vector<reports::FigureResult> measure_study(const Study& study, const Run& run,
                                                  const std::function<void(const std::string&)>& progress) {
     std::vector<reports::FigureResult> figures;

@@ -25,6 +25,10 @@ std::uint64_t samples_within(std::uint64_t evaluations, const Estimator<D>& esti
 reports::FigureResult measure_figure(const Study& study, const FigurePlan& plan, const Run& run,
                                      const std::function<void(const std::string& what)>& progress);
 
+/// How many steps a figure and a study have, each of which `progress` is told of.
+std::size_t steps_of(const FigurePlan& plan);
+std::size_t steps_of(const Study& study);
+
 /// Every figure of a study, measured; `progress` is told what comes next.
 std::vector<reports::FigureResult> measure_study(const Study& study, const Run& run,
                                                  const std::function<void(const std::string& what)>& progress);

@@ -33,8 +33,11 @@ struct Options {
     std::string json, report = "out/converge.html";
 };
 
-/// Measures all estimators on what --on names; of a scene it says what the errors are measured against.
-using Measurement = std::function<std::vector<Series>(const Run& run, std::vector<std::string>& truths)>;
+/// Measures all estimators on what --on names; of a scene it says what the errors are measured against. `progress` is
+/// told the share that is done and what comes next.
+using Progress = std::function<void(double share, const std::string& next)>;
+using Measurement =
+    std::function<std::vector<Series>(const Run& run, std::vector<std::string>& truths, const Progress& progress)>;
 
 template <int D>
 Measurement on_integrand(const Options& options, const Integrand<D>& f) {
@@ -42,10 +45,13 @@ Measurement on_integrand(const Options& options, const Integrand<D>& f) {
         throw Error(fmt::format("--reference for '{}'; accepted are scenes, and --images", f.id));
     std::vector<const Estimator<D>*> estimators;
     for (const std::string& id : options.estimators) estimators.push_back(&find_estimator<D>(id));
-    return [&options, &f, estimators](const Run& run, std::vector<std::string>&) {
+    return [&options, &f, estimators](const Run& run, std::vector<std::string>&, const Progress& progress) {
         std::vector<Series> series;
-        for (const Estimator<D>* estimator : estimators)
+        for (const Estimator<D>* estimator : estimators) {
+            const double share = static_cast<double>(series.size()) / static_cast<double>(estimators.size());
+            progress(share, fmt::format("{} on {}", estimator->id, f.id));
             series.push_back(measure_series(*estimator, f, options.n, options.replicates, run));
+        }
         return series;
     };
 }
@@ -53,7 +59,9 @@ Measurement on_integrand(const Options& options, const Integrand<D>& f) {
 Measurement on_scene(const Options& options, const ScenePart& part) {
     SceneMeasure measure{{}, options.n, options.replicates, options.reference, options.cache};
     for (const std::string& id : options.estimators) measure.methods.push_back(scene_method(id));
-    return [part, measure](const Run& run, std::vector<std::string>& truths) {
+    const std::string names = fmt::format("{}", fmt::join(options.estimators, ", "));
+    return [part, measure, names](const Run& run, std::vector<std::string>& truths, const Progress& progress) {
+        progress(0, fmt::format("{} on {}", names, part.id));
         SceneSeries measured = measure_scene(part, measure, run);
         truths.push_back(fmt::format("{}: {}", part.id, measured.said));
         return std::move(measured.series);
@@ -98,8 +106,10 @@ int converge(const Options& options) {
     std::vector<std::string> truths;
     session.work([&] {
         for (std::size_t i = 0; i < all.size(); ++i) {
-            session.show(fmt::format("{} on {}", fmt::join(options.estimators, ", "), options.integrands[i]));
-            for (Series& one : all[i](run, truths)) series.push_back(std::move(one));
+            const auto progress = [&](double share, const std::string& next) {
+                session.show((static_cast<double>(i) + share) / static_cast<double>(all.size()), next);
+            };
+            for (Series& one : all[i](run, truths, progress)) series.push_back(std::move(one));
         }
     });
     if (!options.json.empty()) write_file(options.json, reports::converge_json(session.run, series, truths));

@@ -20,11 +20,16 @@ struct Options : own::IntegralTask {
     std::string json, report = "out/integrate.html";
 };
 
-int integrate(const Options& options) {
+int integrate(Options options) {
     require_writable({options.json, options.report});
     Session session(options.seed, options.threads);
     session.run.patterns = fmt::format("{}", fmt::join(options.what, " "));
     std::vector<own::Answer> answers;
+    options.progress = [&](double share, const Runs& seen) {
+        const Estimate found = mean_of(seen);
+        session.show(share, fmt::format("{:.6g} ± {:.2g} by {} runs of {} samples", found.value, found.standard_error,
+                                        seen.estimates.size(), seen.n));
+    };
     session.work([&] { answers = own::integrate(options, session.run.seed); });
 
     std::vector<Series> series;

@@ -141,7 +141,8 @@ int render_picture(const PictureTask& task, Session& session) {
     const auto estimator = estimator_of(task.method);
     std::optional<RenderedUntil> done;
     Watch watch(task.end, session);
-    session.work([&] { done = rendered(job_of(task.method, scene, *estimator, task.settings), task.end, watch); });
+    session.work([&] { done = rendered(job_of(task.method, scene, *estimator, task.settings), task.end, watch); },
+                 fmt::format("nothing is saved; {} is as it was", task.out.string()));
 
     const auto& [picture, error, grounds, met] = *done;
     const reports::RunInfo& info = session.run;

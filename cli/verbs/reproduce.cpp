@@ -1,14 +1,15 @@
 #include <CLI/CLI.hpp>
-#include <csignal>
-#include <limits>
+#include <chrono>
 
 #include "cli/common_options.h"
 #include "cli/session.h"
+#include "cli/stop_signal.h"
 #include "cli/verb.h"
 #include "cli/verbs/figure_outputs.h"
 #include "cli/watched.h"
 #include "core/parallel.h"
 #include "core/shard.h"
+#include "studies/measure.h"
 
 namespace plumb::cli::verbs {
 namespace {
@@ -37,19 +38,33 @@ ReproductionPlan plan_of(const Options& options) {
     return begin_reproduction(std::move(tasks), std::move(run), store);
 }
 
+double steps_left(const ReproductionPlan& plan) {
+    std::size_t steps = 0;
+    const std::vector<FigureTask> ours = tasks_of_shard(plan.tasks, {plan.run.shard, plan.run.shards});
+    for (std::size_t i = plan.done; i < ours.size(); ++i) steps += steps_of(ours[i].plan);
+    return static_cast<double>(steps);
+}
+
 // Measures and stores what is left of the plan; returns the signal that ended it early, 0 for none.
 int carry_out(ReproductionPlan& plan, const Options& options, reports::Store& store) {
     ProgressLine line;
+    const double steps = steps_left(plan);
+    const auto start = std::chrono::steady_clock::now();
+    double begun = 0;
+    const auto show = [&](const std::string& what) {
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        line.show(fmt::format("{}{}", what, time_left(spent.count(), begun++ / steps)));
+    };
     const auto work = [&](const std::stop_token& stop) {
         with_threads(options.threads > 0 ? options.threads : plan.run.threads,
-                     [&] { measure_left(plan, store, stop, [&](const std::string& what) { line.show(what); }); });
+                     [&] { measure_left(plan, store, stop, show); });
     };
     const auto farewell = [&](int signal) {
         line.clear();
         fmt::print(stderr,
                    "plumb: stopped by {}: {} of {} figures are kept in {}, run {}; `plumb reproduce --resume --store "
                    "{}` goes on\n",
-                   signal == SIGINT ? "SIGINT" : "SIGTERM", plan.done,
+                   name_of_signal(signal), plan.done,
                    tasks_of_shard(plan.tasks, {plan.run.shard, plan.run.shards}).size(), options.store, plan.number,
                    options.store);
     };

@@ -69,8 +69,11 @@ int study(const Options& options) {
     Session session(options.seed ? options.seed : study.seed, options.threads);
     reports::StudyResult result{.run = {}, .about = study.about, .figures = {}, .headlines = {}};
     const Run run(session.run.seed, "study", 1);
-    session.work(
-        [&] { result.figures = measure_study(study, run, [&](const std::string& what) { session.show(what); }); });
+    const auto steps = static_cast<double>(steps_of(study));
+    double begun = 0;
+    const auto progress = [&](const std::string& what) { session.show(begun++ / steps, what); };
+    session.work([&] { result.figures = measure_study(study, run, progress); },
+                 fmt::format("nothing is saved; {} is as it was", folder));
     result.headlines = measure_headlines(study, result.figures);
     result.run = session.run;
     reports::write_folder(folder, reports::study_files(result));

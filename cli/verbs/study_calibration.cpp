@@ -51,9 +51,12 @@ int study_calibration(const CalibrationStudy& options) {
     const std::filesystem::path folder = options.out.empty() ? "out/study-calibration" : options.out;
     Session session(options.seed, options.threads);
     std::vector<CostOfAVerdict> rows;
-    session.work([&] {
-        rows = cost_of_a_verdict(setting, {0, 0.5, 1, 1.5, 2, 5, 10}, Run(session.run.seed, "study calibration", 1));
-    });
+    session.work(
+        [&] {
+            rows =
+                cost_of_a_verdict(setting, {0, 0.5, 1, 1.5, 2, 5, 10}, Run(session.run.seed, "study calibration", 1));
+        },
+        fmt::format("nothing is saved; {} is as it was", folder.string()));
     const std::string table = markdown(rows, setting);
     write_file(folder / "cost.md", table);
     write_file(folder / "cost.json", json(rows));

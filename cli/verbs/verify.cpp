@@ -1,11 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <csignal>
 
 #include "checks/sampler/sampler.h"
 #include "cli/common_options.h"
 #include "cli/judge_watched.h"
 #include "cli/session.h"
+#include "cli/stop_signal.h"
 #include "cli/values.h"
 #include "cli/verb.h"
 #include "cli/verbs/outputs.h"
@@ -54,10 +54,11 @@ int carry_out(const reports::RunPlan& plan, const Catalogue& catalogue, const Op
     ProgressLine line;
     const auto keep = [&](std::vector<Judged> judged) {
         done += judged.size();
-        line.show(
-            fmt::format("{}/{} {} {}", done, total, to_string(judged.back().verdict.outcome), judged.back().id()));
-        const reports::Results results = reports::results_of(std::move(judged), catalogue, plan.run);
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        const double share = static_cast<double>(done - plan.done) / static_cast<double>(plan.items.size());
+        line.show(fmt::format("{}/{}{}: {} {}", done, total, time_left(elapsed.count(), share),
+                              to_string(judged.back().verdict.outcome), judged.back().id()));
+        const reports::Results results = reports::results_of(std::move(judged), catalogue, plan.run);
         store.add(plan.number, results.claims, results.mutants, plan.run.seconds + elapsed.count());
     };
     const auto farewell = [&](int signal) {
@@ -65,7 +66,7 @@ int carry_out(const reports::RunPlan& plan, const Catalogue& catalogue, const Op
         fmt::print(stderr,
                    "plumb: stopped by {}: {} of {} verdicts are kept in {}, run {}; `plumb verify --resume --store {}` "
                    "goes on\n",
-                   signal == SIGINT ? "SIGINT" : "SIGTERM", done, total, options.store, plan.number, options.store);
+                   name_of_signal(signal), done, total, options.store, plan.number, options.store);
     };
     return judge_watched(catalogue, plan.items, setting, keep, farewell);
 }

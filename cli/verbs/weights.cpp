@@ -60,9 +60,7 @@ void print_summary(const NumberTable& points, const std::vector<double>& weights
 
 int weights(const Options& options) {
     require_writable({options.out});
-    const NumberTable points = parse_csv(read_file(options.points), options.points);
-    if (points.columns > 2)
-        throw Error(fmt::format("{}: {} columns found; accepted are 1 (x) and 2 (x,y)", points.name, points.columns));
+    const NumberTable points = in_order(parse_csv(read_file(options.points), options.points), {{"x"}, {"x", "y"}});
     std::size_t repeated = 0;
     const std::vector<double> weights =
         points.columns == 1 ? weights_of<1>(points, options, repeated) : weights_of<2>(points, options, repeated);

@@ -14,14 +14,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The module beside the program, where the build leaves it, in an installed program's ../lib, or where the system
-// looks.
-void* loaded_module() {
+// Beside the program, where the build leaves it, or where an installation does; a bare name is for the system to find.
+fs::path place_of_module() {
     std::error_code ignored;
     const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
     const fs::path name = "libplumb_image_module.so";
-    for (const auto& path : {program / name, program / "../core" / name, program / "../lib" / name, name})
-        if (void* const module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) return module;
+    for (const fs::path& folder : {program, program / "../core", program / PLUMB_MODULES_FROM_PROGRAM})
+        if (fs::exists(folder / name, ignored)) return folder / name;
+    return name;
+}
+
+void* loaded_module() {
+    if (void* const module = ::dlopen(place_of_module().c_str(), RTLD_NOW | RTLD_LOCAL)) return module;
     throw Error(fmt::format("images can be neither read nor written: {}", ::dlerror()));
 }
 

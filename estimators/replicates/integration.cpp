@@ -38,12 +38,14 @@ bool skewed(const Runs& runs) {
 }
 
 Search search_sample_count(const IndependentRun& run, const ErrorTarget& target, std::uint64_t replicates,
-                           std::uint64_t max_evaluations, std::uint64_t seed) {
+                           std::uint64_t max_evaluations, std::uint64_t seed,
+                           const std::function<void(const Runs&)>& progress) {
     constexpr double margin = 2.0 / 3;
     Search search;
     std::uint64_t spent = 0;
     for (std::uint64_t n = 16;; n *= 2) {
         search.looks.push_back(independent_runs(run, n, replicates, seed, "look"));
+        if (progress) progress(search.looks.back());
         const Estimate seen = mean_of(search.looks.back());
         search.met = seen.evaluations >= least_evaluations &&
                      seen.standard_error <= margin * target.absolute(seen.value) && !skewed(search.looks.back());

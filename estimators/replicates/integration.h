@@ -45,8 +45,9 @@ struct Search {
 /// all. The looks decide n and so know too little about their own error: the smallest of many noisy errors stops the
 /// search. Report fresh runs at the chosen n: their mean is as unbiased as the method, their error as honest as for an
 /// n fixed beforehand; 2/3 leaves room for it to meet the target too (for normal runs and 32 replicates a fresh
-/// variance is 2.25 times that of a look with probability 1.4 %).
+/// variance is 2.25 times that of a look with probability 1.4 %). `progress` is told of every look.
 Search search_sample_count(const IndependentRun& run, const ErrorTarget& target, std::uint64_t replicates,
-                           std::uint64_t max_evaluations, std::uint64_t seed);
+                           std::uint64_t max_evaluations, std::uint64_t seed,
+                           const std::function<void(const Runs& look)>& progress = {});
 
 }  // namespace plumb

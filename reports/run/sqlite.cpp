@@ -31,6 +31,14 @@ std::string explained(int code, const char* message) {
 }  // namespace
 
 void fail(const std::filesystem::path& file, int code, const char* message) {
+    const std::string journal = file.string() + "-journal";
+    std::error_code ignored;
+    if (code == SQLITE_READONLY_ROLLBACK ||
+        ((code & 0xff) == SQLITE_CANTOPEN && std::filesystem::exists(journal, ignored)))
+        throw Error(
+            fmt::format("{}: its last write was cut off, and {} has what undoes it: that needs leave to write "
+                        "to both and to their folder; copy the two to where you have it",
+                        file.string(), journal));
     throw Error(fmt::format("{}: {}", file.string(), explained(code, message)));
 }
 
@@ -41,6 +49,7 @@ Database::Database(std::filesystem::path file, int flags, int patience) : file_(
         sqlite3_close(handle_);
         fail(file_, code, message.c_str());
     }
+    sqlite3_extended_result_codes(handle_, 1);
     sqlite3_busy_timeout(handle_, patience);
 }
 

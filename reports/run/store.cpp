@@ -45,7 +45,9 @@ std::unique_ptr<Database> open(const fs::path& file, Store::Access access, std::
     if (error) throw Error(fmt::format("{}: its folder cannot be made: {}", file.string(), error.message()));
     if (!append && !fs::exists(file, error))
         throw Error(fmt::format("{}: there is no such results store; `plumb verify` makes one", file.string()));
-    const int flags = append ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY;
+    // Who reads may have to undo what a killed writer left half written (SQLite's hot journal), so may write as well;
+    // where the file's permissions forbid that, SQLite opens it for reading alone.
+    const int flags = SQLITE_OPEN_READWRITE | (append ? SQLITE_OPEN_CREATE : 0);
     return std::make_unique<Database>(file, flags, static_cast<int>(patience.count()));
 }
 
@@ -63,6 +65,9 @@ void create_schema(const Database& database) {
 }
 
 void check_schema(const Database& database) {
+    if (is_empty(database))
+        throw Error(fmt::format("{}: no run was stored in it; `plumb verify --store {}` begins one",
+                                database.file().string(), database.file().string()));
     if (database.pragma("application_id") != application_id)
         throw Error(fmt::format("{}: a SQLite database, but not a results store", database.file().string()));
     if (const std::int64_t version = database.pragma("user_version"); version != schema_version)

@@ -22,7 +22,8 @@ struct StoredRun {
 };
 
 /// The results of all runs in one SQLite file, whose tables store.cpp describes. Every function throws Error, naming
-/// the file, when it is locked, damaged, written by a newer Plumb, another program's, or cannot be written.
+/// the file, when it is locked, damaged, written by a newer Plumb, another program's, or cannot be written. What a
+/// killed process left half written is undone by the next one that opens the file, to read or to append.
 class Store {
 public:
     enum class Access {

@@ -12,6 +12,7 @@
 #include "core/test_folder.h"
 #include "reports/run/json.h"
 #include "reports/run/sample_results.h"
+#include "reports/run/sqlite.h"
 
 namespace plumb::reports {
 namespace {
@@ -126,6 +127,41 @@ TEST(Store, SaysThatItIsLocked) {
     EXPECT_THROW((void)store.runs(), Error);
     other.run("COMMIT");
     EXPECT_EQ(store.append(sample_results()), 1);
+}
+
+// What kill -9 leaves of `store` in the middle of a write: pages of the transaction in the file, and the journal.
+void copy_cut_off(const std::filesystem::path& store, const std::filesystem::path& to) {
+    const Other writer(store);
+    writer.run("PRAGMA cache_size = 1; BEGIN IMMEDIATE; UPDATE claims SET json = hex(randomblob(100000));");
+    for (const char* suffix : {"", "-journal"}) write_file(to.string() + suffix, read_file(store.string() + suffix));
+}
+
+TEST(Store, UndoesWhatAKilledWriterLeft) {
+    const TestFolder folder;
+    fresh(folder / "results.db").append(sample_results());
+    for (const Store::Access access : {Store::Access::read, Store::Access::append}) {
+        const auto file = folder / "killed.db";
+        copy_cut_off(folder / "results.db", file);
+        EXPECT_NE(read_file(file), read_file(folder / "results.db")) << "half written";
+        EXPECT_EQ(to_json(Store(file, access).load(1)), to_json(sample_results()));
+        EXPECT_FALSE(std::filesystem::exists(file.string() + "-journal"));
+    }
+}
+
+TEST(Store, SaysHowToUndoWhatItMayNotWrite) {
+    const TestFolder folder;
+    fresh(folder / "results.db").append(sample_results());
+    copy_cut_off(folder / "results.db", folder / "killed.db");
+    const sqlite::Database database(folder / "killed.db", SQLITE_OPEN_READONLY, 0);
+    EXPECT_THAT(error_of([&] { (void)database.pragma("application_id"); }),
+                AllOf(HasSubstr("killed.db: its last write was cut off"), HasSubstr("killed.db-journal")));
+}
+
+TEST(Store, SaysThatNothingWasStoredYet) {
+    const TestFolder folder;
+    write_file(folder / "results.db", "");  // killed before the first transaction
+    EXPECT_THAT(open_error(folder / "results.db", Store::Access::read), HasSubstr("results.db: no run was stored"));
+    EXPECT_EQ(fresh(folder / "results.db").append(sample_results()), 1);
 }
 
 TEST(Store, RefusesWhatIsNoStore) {

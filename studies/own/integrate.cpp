@@ -30,6 +30,17 @@ std::vector<std::uint64_t> counts_up_to(std::uint64_t n) {
     return counts;
 }
 
+void tell(const IntegralTask& task, double share, const Runs& seen) {
+    if (task.progress) task.progress(share, seen);
+}
+
+// Errors of independent samples fall as n^-1/2, others faster; n doubles, and the answer takes as much as all looks.
+double share_of_search(const Runs& look, const ErrorTarget& target) {
+    const Estimate seen = mean_of(look);
+    const double ratio = seen.standard_error / target.absolute(seen.value);
+    return 0.5 / std::exp2(std::ceil(std::log2(std::max(1.0, 2.25 * ratio * ratio))));
+}
+
 template <int D>
 Answer integrate(const UserIntegrand<D>& f, const IntegralTask& task, std::uint64_t seed) {
     const Estimator<D>& method = method_for(f, task);
@@ -49,13 +60,17 @@ Answer integrate(const UserIntegrand<D>& f, const IntegralTask& task, std::uint6
                 fmt::format("--error: method '{}' is deterministic, so runs cannot tell its error; accepted are "
                             "randomised ones such as stratified, sobol-owen, torus-tent",
                             method.id));
-        Search search = search_sample_count(run, *task.error, answer.runs, task.max_evaluations, seed);
+        const auto progress = [&](const Runs& look) { tell(task, share_of_search(look, *task.error), look); };
+        Search search = search_sample_count(run, *task.error, answer.runs, task.max_evaluations, seed, progress);
         sets = std::move(search.looks);
         answer.all_evaluations = mean_of(sets.back()).evaluations;  // the last look makes room for the answer
         sets.back() = runs_at(sets.back().n, "answer");
     } else if (answer.exact || method.randomised) {
-        for (const std::uint64_t n : counts_up_to(task.n.value_or(default_n)))
-            sets.push_back(runs_at(n, n == task.n.value_or(default_n) ? "answer" : "look"));
+        const std::uint64_t most = task.n.value_or(default_n);
+        for (const std::uint64_t n : counts_up_to(most)) {
+            sets.push_back(runs_at(n, n == most ? "answer" : "look"));
+            tell(task, static_cast<double>(n) / static_cast<double>(most), sets.back());  // the last takes half
+        }
     } else {
         sets.push_back(runs_at(task.n.value_or(default_n), "answer"));
     }

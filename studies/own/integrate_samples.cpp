@@ -109,11 +109,9 @@ Answer integrate(const std::vector<NumberTable>& tables, const IntegralTask& tas
 Answer integrate_samples(const IntegralTask& task) {
     check_task(task);
     std::vector<NumberTable> tables;
-    for (const std::string& file : task.what) tables.push_back(parse_csv(read_file(file), file));
+    for (const std::string& file : task.what)
+        tables.push_back(in_order(parse_csv(read_file(file), file), {{"x", "f"}, {"x", "y", "f"}}));
     for (const NumberTable& table : tables) {
-        if (table.columns != 2 && table.columns != 3)
-            throw Error(
-                fmt::format("{}: {} columns found; accepted are 2 (x,f) and 3 (x,y,f)", table.name, table.columns));
         if (table.columns != tables.front().columns)
             throw Error(fmt::format("{}: {} columns found; {} has {}", table.name, table.columns, tables.front().name,
                                     tables.front().columns));

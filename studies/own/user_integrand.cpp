@@ -97,7 +97,8 @@ UserIntegrands read_image_channels(const IntegralTask& task) {
 
 InputKind kind_of(const std::string& what) {
     if (what.starts_with('@')) return InputKind::shipped;
-    if (what.ends_with(".csv") || what.ends_with(".CSV")) return InputKind::samples;
+    for (const char* ending : {".csv", ".CSV", ".tsv", ".txt", ".dat"})
+        if (what.ends_with(ending)) return InputKind::samples;
     std::error_code ignored;  // a formula may be too long for a name
     return ends_like_a_file(what) || std::filesystem::exists(what, ignored) ? InputKind::image : InputKind::formula;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
@@ -21,6 +22,7 @@ struct IntegralTask {
     std::optional<std::uint64_t> batches;  ///< how many sets a file of samples is cut into
     std::vector<double> domain;            ///< x0, x1[, y0, y1]; empty: the unit cube
     std::optional<std::string> channel, lookup;
+    std::function<void(double share, const Runs& seen)> progress = {};  ///< told of the share that is done, about
 };
 
 /// The kinds of input that a person may ask to integrate.
