@@ -14,6 +14,7 @@ namespace {
 /// An entry without a slash stands for its rooms too. Every room may include core and itself.
 const std::map<std::string, std::set<std::string>> allowed = {
     {"core", {}},
+    {"core/images", {}},
     {"analytic", {"analytic/formulas"}},
     {"analytic/formulas", {"analytic"}},
     {"estimators", {"analytic", "estimators/mis", "estimators/points", "estimators/reweighting"}},
@@ -72,7 +73,7 @@ std::string room_of(const std::string& path) {
 }
 
 bool may_include(const std::string& room, const std::string& other) {
-    if (other == room || other == "core") return true;
+    if (other == room || other == "core" || (first_of(other) == "core" && room != "core")) return true;
     const std::set<std::string>& rooms = allowed.at(room);
     const bool front = other.find('/') == std::string::npos;
     return rooms.contains(other) || rooms.contains(front ? other + "/" : first_of(other));
