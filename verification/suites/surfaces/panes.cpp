@@ -18,7 +18,7 @@ Real sum_over_orders(double cosine, double index) {
     if (!(far > 0)) return 1;
     const Real t = sqrt(far), s = (c - eta * t) / (c + eta * t), p = (eta * c - t) / (eta * c + t);
     const Real once = (s * s + p * p) / 2;
-    if (once == 0) return 0;
+    if (once == 0 || once == 1) return once;  // to 80 digits
     // The geometric series by its limit: at grazing incidence its terms are too many to be summed.
     return once + (1 - once) * (1 - once) * once / (1 - once * once);
 }
