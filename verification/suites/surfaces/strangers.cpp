@@ -30,11 +30,12 @@ std::vector<PropertyOfStrangers> properties() {
 }
 
 Verdict on_all(const PropertyOfStrangers& property, const Surfaces& surfaces, const Run& run) {
-    const bool some = property.integrates && run.size() == Size::quick && surfaces.size() > 1;
+    Surfaces judged = surfaces;
+    if (property.integrates && run.size() == Size::quick && surfaces.size() > 1)
+        std::erase_if(judged, [](const StrangersSurface& surface) { return !surface.quick; });
     std::vector<Verdict> verdicts;
-    for (const StrangersSurface& surface : surfaces) {
-        if (some && !surface.quick) continue;
-        const Run part = run.part(surface.id, 1 / static_cast<double>(surfaces.size()));
+    for (const StrangersSurface& surface : judged) {
+        const Run part = run.part(surface.id, 1 / static_cast<double>(judged.size()));
         Verdict verdict = property.check(surface.bsdf, surface.traits, part);
         verdict.reason = surface.id + ": " + verdict.reason;
         verdicts.push_back(std::move(verdict));
