@@ -15,6 +15,19 @@ struct BsdfSubject {
     std::function<double(Vec3 wo)> discrete;
 };
 
+/// The properties of a model that the checks must know.
+struct BsdfTraits {
+    double roughness = 1;   ///< of its narrowest smooth lobe, as Beckmann's or Trowbridge's alpha in [1e-6, 1]: eval()
+                            ///< may peak so narrowly at the mirrored or refracted direction though no sample goes there
+    double eta = 1;         ///< index inside over index outside, where it refracts
+    bool lossless = false;  ///< all that arrives from above leaves again
+    double epsilon = 0;  ///< relative error of one operation of its arithmetic, up to 2^-11; 0: floats or doubles, as
+                         ///< its samples show
+};
+
+/// Throws Error for traits outside their ranges.
+void require_valid(const BsdfTraits& traits);
+
 // The concepts of a model on trial follow scenes/bsdfs/bsdf_model.h; a model without transmission may leave out the
 // transport argument, and any model may leave out discrete.
 template <class Model>

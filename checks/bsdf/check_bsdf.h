@@ -5,43 +5,40 @@
 #include <vector>
 
 #include "checks/bsdf/bsdf_subject.h"
-#include "checks/bsdf/directions.h"
 #include "verification/run.h"
 #include "verification/verdict.h"
 
 namespace plumb::checks {
 
-/// The properties of a model that the checks must know.
-struct BsdfTraits {
-    double roughness = 1;   ///< of its narrowest smooth lobe, as Beckmann's or Trowbridge's alpha in [1e-6, 1]
-    double eta = 1;         ///< index inside over index outside, where it refracts
-    bool lossless = false;  ///< all that arrives from above leaves again
-};
+// Each of these verdicts takes its directions from the run's seed. "Bounded" ones allow for the rounding of the
+// model's arithmetic and for the error of their own quadrature, and say how much that is where it matters.
 
-// Each of these verdicts covers every one of check_directions(). "Bounded" ones state their bound in the reason.
+/// The values are sound: eval(), pdf() and what sample() gives are finite and not negative, at wi = ±wo, at mirror
+/// images and within the surface too, directions have unit length, eval() is 0 where pdf() is, and sample() scatters
+/// where pdf() says so. Undecided for a model that never scatters.
+Verdict values_are_sound(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
 
-/// The values are sound: eval(), pdf() and what sample() gives are finite and not negative, directions have unit
-/// length, eval() is 0 where pdf() is, and sample() scatters where pdf() says so. Undecided for a model that never
-/// scatters.
-Verdict values_are_sound(const BsdfSubject& bsdf, const Run& run);
-
-/// sample() follows pdf(): one chi-square over all directions at once, in cells of about equal mass that follow the
-/// lobes; discrete and lost samples are cells.
+/// sample() follows pdf() at each of 25 directions: a chi-square each, in cells of about equal mass; discrete and lost
+/// samples are cells. Half of the samples are of radiance, half of importance.
 Verdict samples_follow_pdf(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
-/// pdf() is 1/Jacobian of sample() by differences, times the lobe's share of u[0]; where two smooth lobes overlap, at
-/// least that.
-Verdict pdf_is_inverse_jacobian(const BsdfSubject& bsdf);
-/// A smooth sample carries pdf = pdf() and weight = eval()/pdf(), a discrete one its share of u[0], in both transports.
-Verdict weight_is_eval_over_pdf(const BsdfSubject& bsdf, const Run& run);
-/// ∫ pdf and discrete() are the shares of [0,1)³ that sample() takes to smooth and discrete lobes; the rest is lost.
-Verdict masses_match(const BsdfSubject& bsdf, const BsdfTraits& traits);
-/// eval(wo, wi, radiance)/|wi.z| = eval(wi, wo, importance)/|wo.z|, and radiance obeys f/eta² reciprocity.
+/// pdf() is 1/Jacobian of sample() by differences, times the lobe's share of u[0]; where two smooth lobes may overlap,
+/// at least that.
+Verdict pdf_is_inverse_jacobian(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
+/// A smooth sample carries pdf = pdf() and weight = eval()/pdf(), a discrete one its share of u[0] and a weight that
+/// does not depend on u[1] and u[2], in both transports.
+Verdict weight_is_eval_over_pdf(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
+/// ∫ pdf and discrete() are the shares of [0,1)³ that sample() takes to smooth and discrete lobes, in both transports;
+/// the rest is lost. At every third of 25 directions and the grazing ones.
+Verdict masses_match(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
+/// eval(wo, wi, radiance)/|wi.z| = eval(wi, wo, importance)/|wo.z|, and radiance obeys f/eta² reciprocity. A discrete
+/// sample's direction leads back to wo, with the same reflectance, and all refracted ones obey Snell's law about one
+/// normal.
 Verdict is_reciprocal(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
 /// A sample's radiance weight is its importance weight divided by eta² of the sides, eta as the traits say.
 Verdict radiance_scales_by_eta_squared(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run);
-/// The albedo for importance is at most 1, and exactly 1, within the tolerance, from above where the model is lossless.
-/// For a coloured model the largest lane counts at each direction.
-Verdict conserves_energy(const BsdfSubject& bsdf, const BsdfTraits& traits, double tolerance = 1e-3);
+/// The albedo for importance is at most 1, and exactly 1, within the tolerance, from above where the model is lossless,
+/// at 25 directions. For a coloured model the largest lane counts at each direction.
+Verdict conserves_energy(const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run, double tolerance = 1e-3);
 
 /// The verdict on one property of a model.
 struct NamedVerdict {

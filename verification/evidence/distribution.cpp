@@ -27,6 +27,8 @@ void check_setting(const DistributionClaim& claim) {
     if (std::ranges::any_of(claim.probabilities, [](double q) { return !(q >= 0); }))
         throw std::logic_error("distribution_is: a probability is negative or NaN");
     if (positive_cells(claim) < 2) throw std::logic_error("distribution_is: fewer than two cells have probability");
+    if (!claim.errors.empty() && claim.errors.size() != claim.probabilities.size())
+        throw std::logic_error("distribution_is: there are not as many errors as probabilities");
     if (!(claim.delta > 0)) throw std::logic_error("distribution_is: delta must be positive");
 }
 
@@ -35,6 +37,18 @@ double rarest_cell(const DistributionClaim& claim) {
     for (const double q : claim.probabilities)
         if (q > 0) rarest = std::min(rarest, q);
     return rarest;
+}
+
+double error_of(const DistributionClaim& claim, std::size_t cell) {
+    return cell < claim.errors.size() ? claim.errors[cell] : 0;
+}
+
+// The phi that the errors of the probabilities may amount to.
+double known_phi(const DistributionClaim& claim) {
+    double sum = 0;
+    for (std::size_t cell = 0; cell < claim.errors.size(); ++cell)
+        if (const double q = claim.probabilities[cell]; q > 0) sum += claim.errors[cell] * claim.errors[cell] / q;
+    return std::sqrt(sum);
 }
 
 // A density error of delta may sit in one cell, whose count then varies as p and not as q: along the error the variance
@@ -78,7 +92,9 @@ double least_expected_count(double alpha) {
 std::uint64_t distribution_samples(const DistributionClaim& claim, double alpha, double beta) {
     const double freedom = positive_cells(claim) - 1;
     const double unlucky = chi_square_upper_quantile(undecided_risk, freedom);
-    const double by_power = noncentrality_bound(unlucky, claim, beta) / (claim.delta * claim.delta);
+    // what is known about q adds to the bound of phi, and to phi itself; beyond delta/4 more samples would not help
+    const double room = claim.delta - 2 * std::min(known_phi(claim), claim.delta / 4);
+    const double by_power = noncentrality_bound(unlucky, claim, beta) / (room * room);
     const double by_count = least_expected_count(alpha) / rarest_cell(claim);
     const double needed = std::ceil(std::max(by_power * (1 + 1e-6), by_count));
     return static_cast<std::uint64_t>(std::min(needed, 0x1p63));
@@ -96,7 +112,7 @@ Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const Distribu
     Verdict verdict;
     verdict.samples = static_cast<std::uint64_t>(n);
     verdict.resolution = claim.delta;
-    double chi_square = 0, worst = 0;
+    double chi_square = 0, at_best = 0, worst = 0;  // at_best: with the nearest probabilities that errors allow
     std::size_t worst_cell = 0;
     for (std::size_t cell = 0; cell < counts.size(); ++cell) {
         const double q = cell < claim.probabilities.size() ? claim.probabilities[cell] : 0;
@@ -109,16 +125,19 @@ Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const Distribu
             return verdict;
         }
         if (q == 0) continue;
-        const double z = (observed - n * q) / std::sqrt(n * q);
-        chi_square += z * z;
+        const double nearest = std::clamp(observed / n, q - error_of(claim, cell), q + error_of(claim, cell));
+        const double z = (observed - n * nearest) / std::sqrt(n * nearest);
+        at_best += observed == n * nearest ? 0 : z * z;
+        const double as_stated = (observed - n * q) / std::sqrt(n * q);
+        chi_square += as_stated * as_stated;
         if (std::abs(z) > std::abs(worst)) {
             worst = z;
             worst_cell = cell;
         }
     }
-    verdict.statistic = chi_square;
-    verdict.p_value = chi_square_tail(chi_square, freedom);
-    const double phi_bound = std::sqrt(noncentrality_bound(chi_square, claim, beta) / n);
+    verdict.statistic = at_best;
+    verdict.p_value = chi_square_tail(at_best, freedom);
+    const double phi_bound = std::sqrt(noncentrality_bound(chi_square, claim, beta) / n) + known_phi(claim);
     verdict.deviation = {0, phi_bound};
     verdict.evidence = {
         {"degrees_of_freedom", freedom}, {"phi_upper_bound", phi_bound},
@@ -133,7 +152,7 @@ Verdict chi_square_verdict(std::span<const std::uint64_t> counts, const Distribu
         verdict.outcome = Outcome::refuted;
         verdict.reason =
             fmt::format("chi-square {:.4g} at {:g} degrees of freedom (p = {:.1e}); worst cell {}: {:+.1f} sigma",
-                        chi_square, freedom, verdict.p_value, worst_cell, worst);
+                        at_best, freedom, verdict.p_value, worst_cell, worst);
     } else if (phi_bound < claim.delta) {
         verdict.outcome = Outcome::holds;
         verdict.reason =

@@ -20,6 +20,7 @@ using DrawCell = std::function<std::size_t(RandomStream&)>;
 struct DistributionClaim {
     std::vector<double> probabilities;  ///< of the cells; must sum to 1 within 1e-9, zeros allowed
     double delta = 0;                   ///< the effect size phi = sqrt(sum (p−q)²/q) that `holds` excludes
+    std::vector<double> errors = {};    ///< how far each probability may be from what is claimed; empty: not at all
 };
 
 /// The verdict on whether draws fall into the cells with these probabilities: Pearson's chi-square at the sample count

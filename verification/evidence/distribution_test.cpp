@@ -47,6 +47,24 @@ TEST(DistributionIs, AOnePercentLeakFromTheLastCellIsSeen) {  // suites that dro
     EXPECT_EQ(distribution_is(draw, claim, run).outcome, Outcome::refuted);
 }
 
+TEST(DistributionIs, ErrorsOfTheProbabilitiesAreAllowedFor) {
+    const auto draw = [](RandomStream& random) { return random.uniform() < 0.51 ? 0u : 1u; };
+    DistributionClaim claim{{0.5, 0.5}, 0.2};
+    claim.errors = {0, 0};
+    EXPECT_EQ(chi_square_verdict(std::vector<std::uint64_t>{51000, 49000}, claim, 1e-6, 0.01).outcome,
+              Outcome::refuted);
+    claim.errors = {0.01, 0.01};
+    const Verdict allowed = chi_square_verdict(std::vector<std::uint64_t>{51000, 49000}, claim, 1e-6, 0.01);
+    EXPECT_EQ(allowed.outcome, Outcome::holds);
+    EXPECT_NEAR(allowed.statistic, 0, 1e-9);
+    EXPECT_GT(allowed.deviation.high, 0.02);  // they add to what can hide
+    EXPECT_EQ(distribution_is(draw, claim, run).outcome, Outcome::holds);
+    EXPECT_EQ(chi_square_verdict(std::vector<std::uint64_t>{53000, 47000}, claim, 1e-6, 0.01).outcome,
+              Outcome::refuted);
+    claim.errors = {0.01};
+    EXPECT_THROW((void)distribution_is(draw, claim, run), std::logic_error);
+}
+
 TEST(DistributionIs, MissingMassIsAMistakeOfTheClaim) {
     const auto draw = [](RandomStream& random) { return random.below(2); };
     EXPECT_THROW((void)distribution_is(draw, {{0.5, 0.4}, 0.1}, run), std::logic_error);

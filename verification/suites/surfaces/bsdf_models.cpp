@@ -18,7 +18,7 @@ using U = std::array<double, 3>;
 using Subject = SurfaceSubject;
 // Made when a check runs: some need tables.
 using Subjects = std::function<std::vector<Subject>(const Run&)>;
-using Property = std::function<Verdict(const Subject&, const Run&)>;
+using Property = std::function<Verdict(const BsdfSubject&, const BsdfTraits&, const Run&)>;
 
 struct Model {
     std::string id, title, source;
@@ -36,22 +36,20 @@ struct PropertyOfAll {
 const std::vector<PropertyOfAll>& properties() {
     static const std::vector<PropertyOfAll> all{
         {"sample", "samples follow pdf() from 25 directions, those at grazing incidence and from inside included",
-         Kind::distribution,
-         [](const Subject& s, const Run& run) { return checks::samples_follow_pdf(s.bsdf, s.traits, run); }},
+         Kind::distribution, checks::samples_follow_pdf},
         {"pdf", "pdf() is 1/Jacobian of sample(), times the share of its lobe", Kind::bounded,
-         [](const Subject& s, const Run&) { return checks::pdf_is_inverse_jacobian(s.bsdf); }},
+         checks::pdf_is_inverse_jacobian},
         {"weight", "a sample's weight is eval()/pdf(), or its lobe's share where it is discrete", Kind::bounded,
-         [](const Subject& s, const Run& run) { return checks::weight_is_eval_over_pdf(s.bsdf, run); }},
-        {"mass", "continuous, discrete and lost mass sum to 1", Kind::bounded,
-         [](const Subject& s, const Run&) { return checks::masses_match(s.bsdf, s.traits); }},
+         checks::weight_is_eval_over_pdf},
+        {"mass", "continuous, discrete and lost mass sum to 1", Kind::bounded, checks::masses_match},
         {"reciprocity", "f/eta² is symmetric, and radiance is the adjoint of importance", Kind::bounded,
-         [](const Subject& s, const Run& run) { return checks::is_reciprocal(s.bsdf, s.traits, run); }},
+         checks::is_reciprocal},
         {"eta-squared", "what is refracted scales by 1/eta² as radiance and not as importance", Kind::bounded,
-         [](const Subject& s, const Run& run) {
-             return checks::radiance_scales_by_eta_squared(s.bsdf, s.traits, run);
-         }},
+         checks::radiance_scales_by_eta_squared},
         {"energy", "no more importance leaves than arrives, and exactly as much where the model says so", Kind::bounded,
-         [](const Subject& s, const Run&) { return checks::conserves_energy(s.bsdf, s.traits); }},
+         [](const BsdfSubject& bsdf, const BsdfTraits& traits, const Run& run) {
+             return checks::conserves_energy(bsdf, traits, run);
+         }},
     };
     return all;
 }
@@ -63,7 +61,8 @@ const std::vector<std::string> discrete_properties{"weight", "mass", "eta-square
 Verdict on_all(const std::vector<Subject>& subjects, const Property& check, const Run& run) {
     std::vector<Verdict> verdicts;
     for (const Subject& subject : subjects) {
-        Verdict verdict = check(subject, run.part(subject.name, 1 / static_cast<double>(subjects.size())));
+        Verdict verdict =
+            check(subject.bsdf, subject.traits, run.part(subject.name, 1 / static_cast<double>(subjects.size())));
         verdict.reason = subject.name + ": " + verdict.reason;
         verdicts.push_back(std::move(verdict));
     }
