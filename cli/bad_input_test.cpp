@@ -70,13 +70,16 @@ TEST_F(BadInput, OfWords) {
 }
 
 TEST_F(BadInput, OfValues) {
-    expect({{{"verify", "--threads", "0"}, "--threads: Value 0 not in range 1 to 4096"},
+    expect({{{"verify", "--threads", "0"}, "--threads: '0' is not a whole number from 1 to 4096"},
             {{"verify", "--alpha", "2"}, "--alpha: '2' is not a number in (0, 1)"},
             {{"verify", "--alpha", "nan"}, "--alpha: 'nan' is not a number in (0, 1)"},
             {{"verify", "--seed", "1.5"}, "--seed: '1.5' is not a whole number from 0 to 2^64 - 1"},
             {{"verify", "--time-limit", "soon"}, "--time-limit: 'soon' is not a duration"},
             {{"verify", "--seed", "1", "--shard", "3/2"}, "--shard: '3/2' is not a shard; accepted: i/n"},
-            {{"verify", "--shard", "1/2"}, "--shard requires --seed"},
+            {{"verify", "--shard", "1/2"}, "--shard requires --seed: all shards of a run must have the same seed"},
+            {{"verify", "--resume", "--sampler", "yes"}, "samples are asked for anew"},
+            {{"integrate", "x", "--n", "1.5"},
+             "--n: '1.5' is not a whole number from 1 to 4294967296; accepted: 1000, 1e3"},
             {{"verify", "--resume", "--seed", "1"}, "a resumed run keeps"}});
 }
 
@@ -124,15 +127,16 @@ TEST_F(BadInput, OfSamplers) {
     };
     std::vector<std::string> hanging = verify("sleep 20", "uniform");
     hanging.insert(hanging.end(), {"--sampler-timeout", "0.1s"});
-    expect({{verify("./none {seed} {n}", "uniform"), "ended with exit code 127: sh: 1: ./none: not found"},
-            {verify("echo 0.5; echo half", "uniform"), "line 2 of the sampler is 'half'; accepted: a number, x"},
-            {verify("echo 0.5", "uniform"), "'echo 0.5' ended after 1 of "},
-            {verify("kill -SEGV $$", "uniform"), "was ended by signal 11"},
-            {verify("yes 0.5", "uniforn"), "the density 'uniforn' is no file and has no known name"},
-            {verify("yes 0.5", "pdf.csv"), "pdf.csv, line 3, column density: 'much' is not a number"},
-            {hanging, "'sleep 20' was not done after 0.1 s"},
-            {{"verify", "--sampler", "yes"}, "--sampler requires --density"},
-            {{"verify", "--density", "uniform"}, "--density requires --sampler"}});
+    expect(
+        {{verify("./none {seed} {n}", "uniform"), "ended with exit code 127: sh: 1: ./none: not found"},
+         {verify("echo 0.5; echo half", "uniform"), "line 2 of the sampler is 'half'; accepted: a number, x"},
+         {verify("echo 0.5", "uniform"), "'echo 0.5' ended after 1 of "},
+         {verify("kill -SEGV $$", "uniform"), "was ended by signal 11"},
+         {verify("yes 0.5", "uniforn"), "the density 'uniforn' is no file, has no known name (known: uniform, linear"},
+         {verify("yes 0.5", "pdf.csv"), "pdf.csv:3: column 3 (density): 'much' found"},
+         {hanging, "'sleep 20' was not done after 0.1 s"},
+         {{"verify", "--sampler", "yes"}, "--sampler: judged by what? Give --density, or --mean"},
+         {{"verify", "--density", "uniform"}, "--density requires --sampler"}});
 }
 
 TEST_F(BadInput, OfALockedStore) {

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "cli/session.h"
 #include "core/error.h"
 #include "core/version.h"
 
@@ -67,7 +68,13 @@ int run_verb(int argc, const char* const* argv, const std::vector<Verb>& verbs, 
     app.require_subcommand(1);
     app.footer(name + " VERB --help explains a verb, with an example.");
     std::map<std::string, Action> actions;
-    for (const Verb& verb : verbs) actions[verb.name] = verb.add(*app.add_subcommand(verb.name, verb.about));
+    bool quiet = false;
+    for (const Verb& verb : verbs) {
+        CLI::App& of = *app.add_subcommand(verb.name, verb.about);
+        actions[verb.name] = verb.add(of);
+        of.add_flag("--quiet", quiet, "say nothing but errors: the exit code and the files tell");
+        of.set_version_flag("--version", std::string(version));
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& answer) {
@@ -76,6 +83,7 @@ int run_verb(int argc, const char* const* argv, const std::vector<Verb>& verbs, 
         fmt::print(stderr, "{}: {}{}\n", name, complaint_of(app, error, argc, argv), reason_of(verbs, app, error));
         return 2;
     }
+    if (quiet) be_quiet();
     return actions.at(app.get_subcommands().front()->get_name())(catalogue);
 }
 

@@ -84,7 +84,7 @@ TEST(Options, SayWhatAValueMayBe) {
 }
 
 TEST(Options, OfASamplerGoTogether) {
-    EXPECT_THAT(complaint("verify", "--sampler", "./s"), testing::HasSubstr("--sampler requires --density"));
+    EXPECT_THAT(complaint("verify", "--delta", "0.1"), testing::HasSubstr("--delta requires --sampler"));
     EXPECT_THAT(complaint("verify", "points/*", "--sampler", "./s", "--density", "uniform"),
                 testing::HasSubstr("patterns"));
 }

@@ -32,9 +32,9 @@ void add_seed(CLI::App& verb, std::optional<std::uint64_t>& seed) {
 
 void add_seed_and_threads(CLI::App& verb, std::optional<std::uint64_t>& seed, int& threads) {
     add_seed(verb, seed);
-    verb.add_option("--threads", threads,
-                    "worker threads, on which no result depends; as many as the machine has when not given")
-        ->check(CLI::Range(1, 4096));
+    add_count(verb, "--threads", threads, 1, 4096,
+              "worker threads, on which no result depends; as many as the machine has when not given")
+        ->default_str("");
 }
 
 void add_cache(CLI::App& verb, std::string& cache) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/values.h"
 #include "core/error.h"
 
 // Several verbs have these options.
@@ -34,6 +35,23 @@ CLI::Option* add_parsed(CLI::App& verb, const std::string& name, Value& value, P
 
 /// Accepts a number in (0, 1).
 const CLI::Validator& probability();
+
+/// An option for a whole number from `least` to `most`, as "1000" or "1e3"; help shows the value that it has without.
+template <class Count>
+CLI::Option* add_count(CLI::App& verb, const std::string& name, Count& count, std::uint64_t least, std::uint64_t most,
+                       const std::string& about) {
+    const auto parse = [least, most](const std::string& text) { return parse_count(text, least, most); };
+    const auto read = [&count, parse](const std::string& text) {
+        if constexpr (std::is_integral_v<Count>)
+            count = static_cast<Count>(parse(text));
+        else
+            count = parse(text);  // where it is optional
+    };
+    CLI::Option* option = verb.add_option_function<std::string>(name, read, about);
+    option->check(checked(parse))->type_name(fmt::format("{}..{}", least, most));
+    if constexpr (std::is_integral_v<Count>) option->default_str(std::to_string(count));
+    return option;
+}
 
 void add_seed(CLI::App& verb, std::optional<std::uint64_t>& seed);
 void add_seed_and_threads(CLI::App& verb, std::optional<std::uint64_t>& seed, int& threads);

@@ -50,6 +50,24 @@ TEST_F(ConvergeImages, HaveTheErrorAndTheSlopeThatTheyHave) {
     EXPECT_THAT(read("c.html"), HasSubstr("out_{spp}_{seed}.exr"));
 }
 
+TEST_F(ConvergeImages, OfSeveralPatternsShareOnePlot) {
+    for (const int spp : {4, 16})
+        for (const char* seed : {"1", "2"}) render("b_" + std::to_string(spp) + "_" + seed + ".exr", 4 * spp);
+    const Said said = plumb(
+        "converge --images 'out_{spp}_{seed}.exr' 'b_{spp}_{seed}.exr' --reference ref.exr --report c.html "
+        "--csv c.csv --svg c.svg");
+    ASSERT_EQ(said.exit_code, 0) << said.error;
+    EXPECT_THAT(said.out, testing::AllOf(HasSubstr("b_{spp}_{seed}.exr\n"), HasSubstr("relMSE")));
+    EXPECT_THAT(read("c.svg"), testing::AllOf(HasSubstr("<svg"), HasSubstr("Error of renders"),
+                                              HasSubstr("samples per pixel"), HasSubstr("relative MSE"),
+                                              HasSubstr("out_{spp}_{seed}.exr"), HasSubstr("b_{spp}_{seed}.exr")));
+    EXPECT_THAT(read("c.csv"), testing::AllOf(testing::StartsWith("pattern,reference,spp,images,seconds,mse"),
+                                              HasSubstr("\nb_{spp}_{seed}.exr,ref.exr,16,2,,")));
+    EXPECT_THAT(read("c.html"),
+                testing::AllOf(HasSubstr("<title>Plumb: Error of renders"), HasSubstr("\"renders\":true")));
+    EXPECT_THAT(complaint("converge independent --on exp --csv c2.csv"), HasSubstr("--csv requires --images"));
+}
+
 TEST_F(ConvergeImages, TakeSecondsFromTheirNames) {
     for (const char* name : {"t_4_0.5.exr", "t_16_2.exr"}) render(name, std::string(name)[2] == '4' ? 4 : 16);
     ASSERT_EQ(plumb("render quad_light --spp 16 --seed 1 --crop 0,0,32,32 -o r.exr").exit_code, 0);

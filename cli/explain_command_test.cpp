@@ -47,6 +47,32 @@ TEST_F(ExplainCommand, TellsTheValueThatThePictureHas) {
     }
 }
 
+TEST_F(ExplainCommand, TakesItsOptionsFromThePicture) {
+    ASSERT_EQ(
+        plumb(
+            "render glass --integrator path --sampler sobol --seed 3 --spp 16 --max-depth 6 --crop 90,140,8,8 -o a.exr")
+            .exit_code,
+        0);
+    const Json by_hand =
+        told("glass 92 143 5 --integrator path --sampler sobol --seed 3 --spp 16 --max-depth 6 --crop 90,140,8,8");
+    EXPECT_EQ(told("a.exr 92 143 5"), by_hand);
+    EXPECT_THAT(complaint("explain a.exr 92 143 5 --seed 3 --spp 4"), HasSubstr("a.exr says --spp, --seed itself"));
+    EXPECT_THAT(complaint("explain a.exr 92"), HasSubstr("which pixel? Give x and y"));
+    EXPECT_THAT(complaint("explain glass --fireflies"), HasSubstr("--fireflies is for a picture"));
+}
+
+TEST_F(ExplainCommand, TellsTheBrightestSampleFirst) {
+    ASSERT_EQ(plumb("render glass --integrator path --seed 3 --spp 8 --crop 96,146,8,8 -o a.exr").exit_code, 0);
+    const Json brightest = told("a.exr 100 150");
+    double most = 0;
+    for (int sample = 0; sample < 8; ++sample)
+        most = std::max(most, told("a.exr 100 150 " + std::to_string(sample))["value"][1].get<double>());
+    EXPECT_EQ(brightest["value"][1].get<double>(), most);
+    const Said said = plumb("explain a.exr --fireflies");
+    EXPECT_EQ(said.exit_code, 0) << said.error;
+    EXPECT_THAT(said.out, AllOf(HasSubstr("brightest_sample"), HasSubstr("`plumb explain a.exr ")));
+}
+
 TEST_F(ExplainCommand, FactorsMultiplyUpToSplats) {
     for (const std::string call : {"--integrator path", "--integrator bdpt", "--integrator path --sampler sobol"})
         for (const std::string sample : {"0", "9", "15"}) {
@@ -111,7 +137,7 @@ TEST_F(ExplainCommand, NamesWhatIsWrong) {
     EXPECT_THAT(complaint("explain cornell_box 3 4 0 --crop 0,0,2,2"), HasSubstr("x from 0 to 1"));
     EXPECT_THAT(complaint("explain cornell_box 3 4 64"), HasSubstr("sample 64 of 64 a pixel: accepted are 0 to 63"));
     EXPECT_THAT(complaint("explain cornel_box 3 4 0"), HasSubstr("did you mean 'cornell_box'"));
-    EXPECT_THAT(complaint("explain cornell_box 3 4"), HasSubstr("sample"));
+    EXPECT_THAT(complaint("explain cornell_box 3"), HasSubstr("which pixel? Give x and y"));
     EXPECT_THAT(complaint("explain cornell_box 3 four 0"), HasSubstr("four"));
     EXPECT_THAT(complaint("explain cornell_box 3 4 0 --integrator paht"), HasSubstr("did you mean 'path'"));
     EXPECT_THAT(complaint("explain cornell_box 3 4 0 --sampler halton"), HasSubstr("sobol"));

@@ -165,6 +165,22 @@ TEST_F(IntegrateCommand, ScalesSamplesToADomain) {
     EXPECT_THAT(complaint("integrate s.csv"), AllOf(HasSubstr("s.csv:1: column 1: -1"), HasSubstr("--domain")));
 }
 
+TEST_F(IntegrateCommand, ReadsStandardInputAndWritesStandardOutput) {
+    write("s.csv", "x,f\n0.25,3\n0.5,4\n0.75,8\n");
+    const Said said = plumb("integrate - --json - <s.csv");
+    ASSERT_EQ(said.exit_code, 0) << said.error;
+    EXPECT_EQ(Json::parse(said.out)["answers"][0]["value"], answer("s.csv")["value"]);
+    EXPECT_THAT(said.error, HasSubstr("voronoi")) << "what is said besides";
+    EXPECT_EQ(plumb("integrate s.csv --quiet").out, "");
+    EXPECT_THAT(complaint("integrate x --json - --report -"), HasSubstr("two outputs are named '-'"));
+}
+
+TEST_F(IntegrateCommand, TakesNumbersAsTheyAreWritten) {
+    EXPECT_EQ(answer("'exp(x)' --n 1e2 --seed 1 --report ''")["n"], 100);
+    EXPECT_EQ(answer("'exp(x)' --method stratified --error '1 %' --seed 1 --report ''")["target_met"], "yes");
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
 TEST_F(IntegrateCommand, ReadsColumnsByTheirNames) {
     write("s.csv", "x,f\n0.25,3\n0.5,4\n0.75,8\n");
     const Json value = answer("s.csv")["value"];

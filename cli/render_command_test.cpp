@@ -21,6 +21,11 @@ std::size_t channel(const Image& image, const std::string& name) {
     return static_cast<std::size_t>(found - image.channels.begin());
 }
 
+TEST_F(RenderCommand, OfNothingIsRefused) {
+    write("empty.xml", "<scene version=\"3.0.0\"><sensor type=\"perspective\"/></scene>");
+    EXPECT_THAT(complaint("render empty.xml -o e.exr"), HasSubstr("empty.xml: has no shapes and no emitters"));
+}
+
 TEST_F(RenderCommand, SameSeedSameFileOnAnyNumberOfThreads) {
     for (const char* sampler : {"independent", "stratified", "sobol"}) {
         const std::string call = std::string("render quad_light --spp 4 --seed 7 --sampler ") + sampler;

@@ -1,8 +1,10 @@
-// The real program, interrupted and resumed, or split into shards and merged, gives what one run gives.
+// The real program, interrupted and resumed, or split into shards and merged, gives what one run gives; verbs that
+// cannot go on say so.
 
 #include <gmock/gmock.h>
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <thread>
 
 #include "cli/test_program.h"
@@ -125,6 +127,16 @@ TEST(Resume, GoesOnAfterAKill) {
     EXPECT_EQ(comparable(folder / "resume.db"), comparable(folder / "whole.db"));
 }
 
+TEST(Parts, HaveAPageOfTheirOwn) {
+    const TestFolder folder;
+    std::filesystem::create_directories(folder / "out");
+    write_file(folder / "out/report.html", "the whole");
+    Program part(folder.path(), little);
+    EXPECT_EQ(part.wait(), 0) << part.errors();
+    EXPECT_EQ(read_file(folder / "out/report.html"), "the whole");
+    EXPECT_TRUE(fs::exists(folder / "out/report-part.html"));
+}
+
 TEST(Shards, MakeUpTheRunWithoutShards) {
     const TestFolder folder;
     Program whole(folder.path(), with(little, {"--store", "whole.db", "--json", "whole.json"}));
@@ -144,6 +156,45 @@ TEST(Shards, MakeUpTheRunWithoutShards) {
     }
     EXPECT_THAT(read_file(folder / "out.xml"), HasSubstr("<testsuite name=\"debiasing\""));
 }
+
+// The long verbs that keep nothing of a part of their work say so when they are stopped.
+struct LongWork {
+    std::vector<std::string> arguments;
+    std::string said, output;
+};
+
+class Stopped : public testing::TestWithParam<LongWork> {};
+
+TEST_P(Stopped, SaysWhatIsSaved) {
+    const auto& [arguments, said, output] = GetParam();
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const TestFolder folder;
+        Program program(folder.path(), arguments);
+        program.wait_until_it_catches(signal);
+        program.send(signal);
+        EXPECT_EQ(program.wait(), 128 + signal);
+        const std::string name = signal == SIGINT ? "SIGINT" : "SIGTERM";
+        EXPECT_THAT(program.errors(), HasSubstr("plumb: stopped by " + name + ": " + said));
+        EXPECT_EQ(std::ranges::count(program.errors(), '\n'), 1);
+        EXPECT_FALSE(std::filesystem::exists(folder / output)) << "no partial output";
+    }
+}
+
+std::vector<LongWork> long_works() {
+    return {
+        {{"render", "furnace_box", "--spp", "1000000", "-o", "a.exr"}, "nothing is saved; a.exr is as it was", "a.exr"},
+        {{"reference", "furnace_box", "--error", "0.001%"}, "nothing is saved; out/references", "out/references"},
+        {{"converge", "independent", "--on", "exp", "--replicates", "10000000", "--json", "a.json"},
+         "nothing is saved",
+         "a.json"},
+        {{"integrate", "sin(x*y)", "--n", "4000000000", "--json", "a.json"}, "nothing is saved", "a.json"},
+        {{"study", "boundary", "--replicates", "10000000"},
+         "nothing is saved; out/study-boundary is as it was",
+         "out/study-boundary"}};
+}
+
+INSTANTIATE_TEST_SUITE_P(Verbs, Stopped, testing::ValuesIn(long_works()),
+                         [](const auto& work) { return work.param.arguments.front(); });
 
 }  // namespace
 }  // namespace plumb::cli

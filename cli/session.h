@@ -34,9 +34,18 @@ private:
 /// can know yet.
 std::string time_left(double seconds, double share);
 
+/// From now on nothing is said but errors: --quiet.
+void be_quiet();
+
 /// Throws Error for the first file that cannot be written, before the work instead of after it. An empty name is no
-/// file.
+/// file; "-" is standard output, which is its alone from now on: what verbs say goes to standard error.
 void require_writable(const std::vector<std::string>& files);
+
+/// Makes the text the whole content of the file, which may be "-" where require_writable() was told of it.
+void write_output(const std::string& file, std::string_view text);
+
+/// The whole of a file, or of standard input for "-".
+std::string read_input(const std::string& file);
 
 /// The things that verbs which draw random numbers have in common: a run with its seed (a new one when none is given),
 /// threads (the hardware's when 0) and seconds, a line of progress, and an end by SIGINT or SIGTERM that says so.

@@ -34,6 +34,13 @@ std::vector<double> parse_domain(const std::string& text) {
     return ends;
 }
 
+std::uint64_t parse_count(const std::string& text, std::uint64_t least, std::uint64_t most) {
+    const auto value = whole_number(text);
+    if (!value || *value < least || *value > most)
+        throw Error(fmt::format("'{}' is not a whole number from {} to {}; accepted: 1000, 1e3", text, least, most));
+    return *value;
+}
+
 std::vector<int> parse_strategy(const std::string& text) {
     std::vector<int> numbers = parse_integers(text, 2);
     const bool good = !numbers.empty() && numbers[0] >= 0 && numbers[1] >= 1 && numbers[0] + numbers[1] >= 2;

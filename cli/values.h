@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,8 @@ namespace plumb::cli {
 
 /// A duration: "90", "90s", "1.5m", "2h".
 std::chrono::duration<double> parse_duration(const std::string& text);
+/// A whole number from `least` to `most`: "1000", "1e3".
+std::uint64_t parse_count(const std::string& text, std::uint64_t least, std::uint64_t most);
 /// A strategy "s,t": vertices from the light and from the sensor, s >= 0, t >= 1 and not both ends alone.
 std::vector<int> parse_strategy(const std::string& text);
 /// A crop "x,y,width,height" in pixels.

@@ -30,6 +30,14 @@ plumb_install(estimators voronoi reweighting estimators)
 plumb_install(main reports program main HEADERS cli/program.h)
 install(TARGETS plumb)
 install(TARGETS plumb_image_module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/plumb)
+# Made by the program itself, so that no verb is forgotten.
+install(CODE [[
+  set(share "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/share")
+  file(MAKE_DIRECTORY "${share}/man/man1" "${share}/bash-completion/completions")
+  execute_process(COMMAND "$<TARGET_FILE:plumb>" manual OUTPUT_FILE "${share}/man/man1/plumb.1" COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND "$<TARGET_FILE:plumb>" manual --completion
+                  OUTPUT_FILE "${share}/bash-completion/completions/plumb" COMMAND_ERROR_IS_FATAL ANY)
+]])
 file(GLOB scenes CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/scenes/shipped/*/scene.xml")
 foreach(scene IN LISTS scenes)
   cmake_path(GET scene PARENT_PATH folder)

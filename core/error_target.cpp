@@ -14,7 +14,8 @@ double ErrorTarget::absolute(double value) const {
 ErrorTarget parse_error_target(const std::string& text) {
     ErrorTarget target;
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), target.error);
-    const std::string_view unit(end, text.data() + text.size());
+    std::string_view unit(end, text.data() + text.size());
+    unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
     target.relative = unit == "%";
     if (failure != std::errc() || !(unit.empty() || target.relative) || !(target.error > 0) ||
         !std::isfinite(target.error))

@@ -20,7 +20,8 @@ TEST(ParseErrorTarget, IsAbsoluteOrRelative) {
     EXPECT_FALSE(parse_error_target("1e-3").relative);
     EXPECT_EQ(parse_error_target("2%").error, 0.02);
     EXPECT_TRUE(parse_error_target("2%").relative);
-    for (const char* bad : {"", "%", "0", "-1", "nan", "inf", "1e-3x", "1%%", "1 %"})
+    EXPECT_EQ(parse_error_target("2 %").error, 0.02);
+    for (const char* bad : {"", "%", "0", "-1", "nan", "inf", "1e-3x", "1%%", "1 % %", " 1"})
         EXPECT_THROW(parse_error_target(bad), Error) << bad;
 }
 

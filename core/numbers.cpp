@@ -1,6 +1,15 @@
 #include "core/numbers.h"
 
+#include <cmath>
+
 namespace plumb {
+
+std::optional<std::uint64_t> whole_number(std::string_view text) {
+    if (const auto digits = number_of<std::uint64_t>(text)) return digits;
+    const auto number = number_of<double>(text);
+    if (!number || !(*number >= 0 && *number <= 0x1p53) || *number != std::floor(*number)) return {};
+    return static_cast<std::uint64_t>(*number);
+}
 
 std::vector<int> parse_integers(const std::string& text, std::size_t count) {
     std::vector<int> numbers;

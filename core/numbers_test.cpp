@@ -21,5 +21,13 @@ TEST(NumberOf, TakesTheWholeTextOrNothing) {
         EXPECT_FALSE(number_of<std::uint64_t>(bad)) << bad;
 }
 
+TEST(WholeNumber, MayBeWrittenWithAnExponent) {
+    EXPECT_EQ(whole_number("18446744073709551615"), ~std::uint64_t{0});
+    EXPECT_EQ(whole_number("1e3"), 1000U);
+    EXPECT_EQ(whole_number("2.5e6"), 2'500'000U);
+    for (const char* bad : {"", "1.5", "1e-3", "-1", "1e30", "nan", "inf", "1e3 ", "x"})
+        EXPECT_FALSE(whole_number(bad)) << bad;
+}
+
 }  // namespace
 }  // namespace plumb

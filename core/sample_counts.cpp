@@ -7,10 +7,10 @@ namespace plumb {
 
 std::vector<std::uint64_t> parse_sample_counts(const std::string& text) {
     const auto number = [&](std::string_view part) {
-        const auto value = number_of<std::uint64_t>(part).value_or(0);
+        const auto value = whole_number(part).value_or(0);
         if (value == 0 || value > most_samples)
             throw Error(fmt::format(
-                "'{}' is not a sample count between 1 and 2^32, in '{}'; accepted: 16..65536 or 16,100,1000", part,
+                "'{}' is not a sample count between 1 and 2^32, in '{}'; accepted: 16..65536, 16,100,1000 or 1e3..1e6", part,
                 text));
         return value;
     };

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/images/image.h"
 #include "core/images/layers.h"
+#include "reports/study/csv.h"
 #include "reports/text/text.h"
 #include "studies/image_pattern.h"
 #include "verification/pictures/image_convergence.h"
@@ -86,6 +87,47 @@ ImageSeries measure_images(const std::string& pattern, const std::string& refere
     measured.said = fmt::format("{}: {}, whose own variance is {}", pattern, reference.file,
                                 reference.variance_known ? "subtracted" : "not known and not subtracted");
     return measured;
+}
+
+reports::StudyResult figure_of(const std::vector<ImageSeries>& all, const reports::RunInfo& run) {
+    const ImageSeries& first = all.front();
+    reports::FigurePanel panel{.integrand = first.series.integrand,
+                               .integral = std::sqrt(first.power),  // so that its relative MSE is the relMSE
+                               .series = {},
+                               .unit = "samples per pixel"};
+    std::string text =
+        "The mean squared error of a pixel over its channels, against the samples that a pixel took. The "
+        "relative MSE is the MSE over the mean square of the reference.";
+    for (const ImageSeries& one : all) {
+        panel.series.push_back(one.series);
+        text += "\n\nTruth of " + one.said + ".";
+    }
+    reports::FigureText about{.id = "renders", .title = "Error of renders", .text = text};
+    about.x_label = "samples per pixel";
+    about.metrics = {reports::metric_from("relative_mse")};
+    about.slopes = {-1};
+    return {.run = run,
+            .about = {.name = "renders",
+                      .title = "Error of renders",
+                      .text = fmt::format("{} of pictures against {}.",
+                                          all.size() == 1 ? "One series" : "Several series", first.series.integrand),
+                      .source = {},
+                      .renders = true},
+            .figures = {{about, {panel}}}};
+}
+
+std::string csv_of(const std::vector<ImageSeries>& all) {
+    using reports::csv_cell;
+    std::string csv = "pattern,reference,spp,images,seconds,mse,mse_low,mse_high,relmse,bias,bias_standard_error\r\n";
+    for (const ImageSeries& one : all)
+        for (std::size_t i = 0; i < one.series.points.size(); ++i) {
+            const ConvergencePoint& p = one.series.points[i];
+            csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\r\n", csv_cell(one.series.estimator),
+                               csv_cell(one.series.integrand), p.n, one.images[i], csv_cell(p.seconds), csv_cell(p.mse),
+                               csv_cell(p.mse_interval.low), csv_cell(p.mse_interval.high), csv_cell(p.mse / one.power),
+                               csv_cell(p.bias), csv_cell(p.bias_standard_error));
+        }
+    return csv;
 }
 
 std::string text_of(const ImageSeries& measured, int columns) {

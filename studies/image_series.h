@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/study/study_result.h"
 #include "verification/series.h"
 
 namespace plumb {
@@ -22,5 +23,12 @@ ImageSeries measure_images(const std::string& pattern, const std::string& refere
 
 /// The series and its slope for a terminal of so many columns.
 std::string text_of(const ImageSeries& measured, int columns);
+
+/// All series against their one reference in one figure, which has the page and the plot of a study.
+reports::StudyResult figure_of(const std::vector<ImageSeries>& all, const reports::RunInfo& run);
+
+/// A row for each point of each series: pattern, reference, spp, images, seconds, mse, mse_low, mse_high, relmse, bias,
+/// bias_standard_error. RFC 4180, numbers in full, an unknown number as an empty cell.
+std::string csv_of(const std::vector<ImageSeries>& all);
 
 }  // namespace plumb

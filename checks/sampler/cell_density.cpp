@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <optional>
-#include <sstream>
 
 #include "core/csv.h"
 #include "core/error.h"
@@ -28,6 +28,16 @@ std::optional<double> number(std::string_view field) {
     return value && !std::isnan(*value) ? value : std::nullopt;
 }
 
+double area(const CellDensity::Cell& cell, int dimension) {
+    return cell.x.width() * (dimension == 2 ? cell.y.width() : 1);
+}
+
+std::vector<std::string> lower_case(std::vector<std::string> names) {
+    for (std::string& name : names)
+        for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return names;
+}
+
 // Cells of equal probability: their ends are the density's own quantiles.
 template <class Density>
 CellDensity by_quantiles(const Density& density) {
@@ -35,6 +45,8 @@ CellDensity by_quantiles(const Density& density) {
     const auto end = [&](std::size_t i) { return density.sample(static_cast<double>(i) / cells_1d); };
     for (std::size_t i = 0; i < cells_1d; ++i)
         result.cells.push_back({{end(i), end(i + 1)}, {}, density.invert(end(i + 1)) - density.invert(end(i))});
+    result.cumulative = [density](double x) { return density.invert(x); };
+    result.pdf = [density](const Point<2>& p) { return density.pdf(p[0]); };
     return result;
 }
 
@@ -48,6 +60,7 @@ CellDensity bilinear(const BilinearDensity& density) {
             result.cells.push_back(
                 {{x, x + side}, {y, y + side}, density.pdf({x + side / 2, y + side / 2}) * side * side});
         }
+    result.pdf = [density](const Point<2>& p) { return density.pdf(p); };
     return result;
 }
 
@@ -80,77 +93,69 @@ CellDensity make_named(const Named& named, std::string_view text) {
     return named.make(parameters);
 }
 
-// The table's rows, in the columns that its first line names.
-class Table {
-public:
-    Table(std::string_view text, const std::string& name) : name_(name) {
-        std::istringstream rows{std::string(text)};
-        std::size_t line = 1;
-        for (std::string row; std::getline(rows, row); ++line) {
-            const std::vector<std::string_view> fields = csv_fields(row);
-            if ((fields.size() == 1 && fields[0].empty()) || fields[0].starts_with('#')) continue;
-            if (columns_.empty())
-                read_heading(fields, line);
-            else
-                read_row(fields, line);
+constexpr std::string_view headings =
+    "from,to,density or from,to,probability; x_from,x_to,y_from,y_to,… in two dimensions";
+
+// The table with the columns in this order. Throws Error unless a line names them.
+NumberTable table_of_cells(std::string_view text, const std::string& name) {
+    std::vector<ColumnNames> layouts;
+    for (const ColumnNames& ends : {ColumnNames{"from", "to"}, ColumnNames{"x_from", "x_to", "y_from", "y_to"}})
+        for (const char* mass : {"density", "probability"}) {
+            layouts.push_back(ends);
+            layouts.back().emplace_back(mass);
         }
-        if (columns_.empty()) throw Error(fmt::format("{}: no heading; accepted: {}", name, headings));
-    }
+    NumberTable table = parse_csv(text, name, Numbers::extended);
+    const std::string found = table.header.empty() ? "no heading" : fmt::format("{}", fmt::join(table.header, ","));
+    const auto unknown = [&] {
+        return Error(fmt::format("{}: the heading is '{}'; accepted: {}", name, found, headings));
+    };
+    if (table.header.empty() || std::ranges::none_of(layouts, [&](const ColumnNames& names) {
+            return std::ranges::is_permutation(names, lower_case(table.header));
+        }))
+        throw unknown();
+    return in_order(std::move(table), layouts);
+}
 
-    CellDensity density;
+bool overlap(const Interval& a, const Interval& b) {
+    return a.low < b.high && b.low < a.high;
+}
 
-private:
-    static constexpr std::string_view headings =
-        "from,to,density or from,to,probability; x_from,x_to,y_from,y_to,… in two dimensions";
+void append_cell(const NumberTable& table, std::size_t row, CellDensity& density) {
+    const std::size_t mass = table.columns - 1;
+    const auto at = [&](std::size_t column) { return table.at(row, column); };
+    const std::string line = fmt::format("{}:{}", table.name, table.line(row));
+    CellDensity::Cell cell{.x = {at(0), at(1)}, .y = {}, .probability = at(mass)};
+    if (density.dimension == 2) cell.y = {at(2), at(3)};
+    for (std::size_t i = 0; i < mass; i += 2)
+        if (!(at(i) < at(i + 1)))
+            throw Error(fmt::format("{}: the cell ends at {} before it begins at {}", line, at(i + 1), at(i)));
+    if (table.header[mass] == "density") cell.probability *= area(cell, density.dimension);
+    if (!(at(mass) >= 0 && std::isfinite(cell.probability)))
+        throw Error(fmt::format("{}: {} gives the cell no finite probability >= 0", table.where(row, mass), at(mass)));
+    for (std::size_t i = 0; i < density.cells.size(); ++i)
+        if (overlap(cell.x, density.cells[i].x) && overlap(cell.y, density.cells[i].y))
+            throw Error(fmt::format("{}: the cell overlaps cell {}", line, i));
+    if (density.cells.size() == most_cells) throw Error(fmt::format("{}: more than {} cells", line, most_cells));
+    density.cells.push_back(cell);
+}
 
-    void read_heading(const std::vector<std::string_view>& fields, std::size_t line) {
-        columns_.assign(fields.begin(), fields.end());
-        const std::vector<std::string> ends(columns_.begin(), columns_.end() - 1);
-        density.dimension = ends.size() == 4 ? 2 : 1;
-        is_density_ = columns_.back() == "density";
-        const bool known = ends == std::vector<std::string>{"from", "to"} ||
-                           ends == std::vector<std::string>{"x_from", "x_to", "y_from", "y_to"};
-        if (!known || (!is_density_ && columns_.back() != "probability"))
-            throw Error(fmt::format("{}, line {}: the heading is '{}'; accepted: {}", name_, line,
-                                    fmt::join(fields, ","), headings));
-    }
-
-    void read_row(const std::vector<std::string_view>& parts, std::size_t line) {
-        if (parts.size() != columns_.size())
-            throw Error(
-                fmt::format("{}, line {}: {} values for {} columns", name_, line, parts.size(), columns_.size()));
-        std::vector<double> values;
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            const auto value = number(parts[i]);
-            if (!value)
-                throw Error(
-                    fmt::format("{}, line {}, column {}: '{}' is not a number", name_, line, columns_[i], parts[i]));
-            values.push_back(*value);
-        }
-        CellDensity::Cell cell{.x = {values[0], values[1]}, .y = {}, .probability = values.back()};
-        if (density.dimension == 2) cell.y = {values[2], values[3]};
-        for (std::size_t i = 0; i + 1 < values.size(); i += 2)
-            if (!(values[i] < values[i + 1]))
-                throw Error(fmt::format("{}, line {}: the cell ends at {} before it begins at {}", name_, line,
-                                        values[i + 1], values[i]));
-        if (is_density_) cell.probability *= cell.x.width() * (density.dimension == 2 ? cell.y.width() : 1);
-        if (!(values.back() >= 0 && std::isfinite(cell.probability)))
-            throw Error(fmt::format("{}, line {}, column {}: {} gives the cell no finite probability >= 0", name_, line,
-                                    columns_.back(), values.back()));
-        for (std::size_t i = 0; i < density.cells.size(); ++i)
-            if (overlap(cell.x, density.cells[i].x) && overlap(cell.y, density.cells[i].y))
-                throw Error(fmt::format("{}, line {}: the cell overlaps cell {}", name_, line, i));
-        if (density.cells.size() == most_cells)
-            throw Error(fmt::format("{}, line {}: more than {} cells", name_, line, most_cells));
-        density.cells.push_back(cell);
-    }
-
-    static bool overlap(const Interval& a, const Interval& b) { return a.low < b.high && b.low < a.high; }
-
-    std::string name_;
-    std::vector<std::string> columns_;
-    bool is_density_ = false;
-};
+// Of a table of constant densities, which is known everywhere.
+void know_everywhere(CellDensity& density) {
+    const auto cells = std::make_shared<const CellDensity>(density);
+    density.pdf = [cells](const Point<2>& p) {
+        const std::size_t cell = cells->cell_of(p);
+        return cell == cells->cells.size()
+                   ? 0
+                   : cells->cells[cell].probability / area(cells->cells[cell], cells->dimension);
+    };
+    if (density.dimension == 2) return;
+    density.cumulative = [cells](double x) {
+        double sum = 0;
+        for (const CellDensity::Cell& cell : cells->cells)
+            sum += cell.probability * std::clamp((x - cell.x.low) / cell.x.width(), 0.0, 1.0);
+        return sum;
+    };
+}
 
 }  // namespace
 
@@ -168,8 +173,9 @@ std::size_t CellDensity::cell_of(const Point<2>& point) const {
 }
 
 CellDensity parse_density_table(std::string_view text, const std::string& name) {
-    CellDensity density = Table(text, name).density;
-    density.name = name;
+    const NumberTable table = table_of_cells(text, name);
+    CellDensity density{.name = name, .dimension = table.columns == 5 ? 2 : 1, .cells = {}};
+    for (std::size_t row = 0; row < table.rows(); ++row) append_cell(table, row, density);
     double total = 0;
     for (const CellDensity::Cell& cell : density.cells) total += cell.probability;
     if (std::ranges::count_if(density.cells, [](const CellDensity::Cell& cell) { return cell.probability > 0; }) < 2)
@@ -177,21 +183,32 @@ CellDensity parse_density_table(std::string_view text, const std::string& name) 
     if (!(std::abs(total - 1) <= 1e-6))
         throw Error(fmt::format("{}: the cells' probabilities sum to {:.9g}; accepted: 1 within 1e-6", name, total));
     for (CellDensity::Cell& cell : density.cells) cell.probability /= total;
+    if (table.header.back() == "density") know_everywhere(density);
     return density;
 }
 
+std::vector<std::string> density_names() {
+    std::vector<std::string> names;
+    for (const Named& named : named_densities) names.emplace_back(named.name);
+    return names;
+}
+
+bool is_density_name(const std::string& text) {
+    const auto named = [&](const Named& one) { return std::string_view(text).substr(0, text.find(':')) == one.name; };
+    std::error_code ignored;  // a formula may be too long for a name
+    return std::ranges::any_of(named_densities, named) || std::filesystem::exists(text, ignored);
+}
+
 CellDensity read_density(const std::string& text) {
-    std::vector<std::string> known;
     for (const Named& named : named_densities) {
-        known.emplace_back(named.name);
         if (std::string_view(text).substr(0, text.find(':')) != named.name) continue;
         CellDensity density = make_named(named, text);
         density.name = text;
         return density;
     }
-    if (!std::filesystem::exists(text))
-        throw Error(
-            fmt::format("the density '{}' is no file and has no known name; known: {}", text, fmt::join(known, ", ")));
+    if (std::error_code ignored; !std::filesystem::exists(text, ignored))
+        throw Error(fmt::format("the density '{}' is no file and has no known name; known: {}", text,
+                                fmt::join(density_names(), ", ")));
     return parse_density_table(read_file(text), text);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,11 @@ struct CellDensity {
     std::string name;
     int dimension = 1;
     std::vector<Cell> cells;
+    /// Where they are known everywhere, not just as masses of cells: the density, and in one dimension its cumulative
+    /// function; empty functions where not.
+    std::function<double(const Point<2>&)> pdf = {};
+    std::function<double(double)> cumulative = {};
+    std::string remark = {};  ///< on what `name` became, for a statement; may be empty
 
     /// The cell's number; cells.size() outside of them all, and for NaN. A cell contains its lower ends, and its upper
     /// ends where no other cell begins: text rounds values below 1 to 1.
@@ -29,6 +35,12 @@ struct CellDensity {
 /// (estimators/densities/density.h, density_2d.h say what they are); anything else is the name of a CSV file
 /// (docs/embedding.md). Throws Error.
 CellDensity read_density(const std::string& text);
+
+/// The names that read_density() knows.
+std::vector<std::string> density_names();
+
+/// Whether read_density() has a density of this name, or there is a file.
+bool is_density_name(const std::string& text);
 
 /// The density of a table's text; `name` names it in messages.
 CellDensity parse_density_table(std::string_view text, const std::string& name);

@@ -67,8 +67,7 @@ TEST(DensityTable, HasProbabilitiesOrDensities) {
     const CellDensity halves = parse_density_table("from,to,probability\n-inf,3,0.5\n3,inf,0.5\n", "halves");
     EXPECT_EQ(halves.cell_of({-1e300, 0}), 0u);
     EXPECT_EQ(halves.cell_of({3, 0}), 1u);
-    const CellDensity steps =
-        parse_density_table("# a comment\nfrom, to, density\r\n0,1,0.25\r\n\r\n1,4,0.25", "steps");
+    const CellDensity steps = parse_density_table("# a comment\nfrom, to, density\r\n0,1,0.25\r\n1,4,0.25", "steps");
     EXPECT_EQ(steps.cells[1].probability, 0.75);
     const CellDensity squares =
         parse_density_table("x_from,x_to,y_from,y_to,density\n0,1,0,2,0.25\n1,2,0,2,0.25\n", "squares");
@@ -77,18 +76,32 @@ TEST(DensityTable, HasProbabilitiesOrDensities) {
     EXPECT_EQ(squares.cell_of({1.5, 2.5}), 2u);
 }
 
+TEST(DensityTable, GoesByTheNamesOfItsColumns) {
+    const CellDensity turned = parse_density_table("probability;to;from\n0.5;3;-inf\n0.5;inf;3\n", "turned");
+    EXPECT_EQ(turned.cells[0].x.high, 3);
+    EXPECT_EQ(turned.cells[0].probability, 0.5);
+    EXPECT_FALSE(turned.cumulative) << "nothing is known within cells";
+}
+
+TEST(DensityTable, OfConstantDensitiesIsKnownEverywhere) {
+    const CellDensity steps = parse_density_table("from,to,density\n0,1,0.25\n1,4,0.25\n", "steps");
+    EXPECT_EQ(steps.pdf({2, 0}), 0.25);
+    EXPECT_EQ(steps.cumulative(2), 0.5);
+    EXPECT_EQ(steps.cumulative(5), 1);
+}
+
 TEST(DensityTable, IsRefusedWithLineAndColumn) {
-    EXPECT_THAT(table_complaint(""), HasSubstr("no heading"));
-    EXPECT_THAT(table_complaint("a,b,c\n"), HasSubstr("line 1: the heading is 'a,b,c'"));
-    EXPECT_THAT(table_complaint("from,to,density\n0,1,1,1\n"), HasSubstr("line 2: 4 values for 3 columns"));
-    EXPECT_THAT(table_complaint("from,to,density\n0,zwei,1\n"), HasSubstr("line 2, column to: 'zwei' is not a number"));
-    EXPECT_THAT(table_complaint("from,to,density\n0,1,nan\n"), HasSubstr("'nan' is not a number"));
-    EXPECT_THAT(table_complaint("from,to,density\nnan,1,1\n"), HasSubstr("line 2, column from: 'nan' is not a"));
+    EXPECT_THAT(table_complaint(""), HasSubstr("no row of numbers"));
+    EXPECT_THAT(table_complaint("a,b,c\n1,2,3\n"), HasSubstr("pdf.csv: the heading is 'a,b,c'"));
+    EXPECT_THAT(table_complaint("from,to,density\n0,1,1,1\n"), HasSubstr("pdf.csv:2: 4 columns found; line 1 has 3"));
+    EXPECT_THAT(table_complaint("from,to,density\n0,zwei,1\n"), HasSubstr("pdf.csv:2: column 2 (to): 'zwei' found"));
+    EXPECT_THAT(table_complaint("from,to,density\n0,1,nan\n"), HasSubstr("'nan' found"));
+    EXPECT_THAT(table_complaint("from,to,density\nnan,1,1\n"), HasSubstr("pdf.csv:2: column 1 (from): 'nan' found"));
     EXPECT_THAT(table_complaint("from,to,density\n1,0,1\n"), HasSubstr("ends at 0 before it begins at 1"));
-    EXPECT_THAT(table_complaint("from,to,density\n0,1,-1\n"), HasSubstr("column density: -1"));
+    EXPECT_THAT(table_complaint("from,to,density\n0,1,-1\n"), HasSubstr("column 3 (density): -1"));
     EXPECT_THAT(table_complaint("from,to,density\n0,inf,1\n"), HasSubstr("no finite probability"));
     EXPECT_THAT(table_complaint("from,to,probability\n0,1,0.5\n0.5,2,0.5\n"),
-                HasSubstr("line 3: the cell overlaps cell 0"));
+                HasSubstr("pdf.csv:3: the cell overlaps cell 0"));
     EXPECT_THAT(table_complaint("from,to,probability\n0,1,1\n"), HasSubstr("fewer than two cells"));
     EXPECT_THAT(table_complaint("from,to,probability\n0,1,0.5\n1,2,0.4\n"), HasSubstr("sum to 0.9"));
 }

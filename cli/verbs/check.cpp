@@ -111,7 +111,7 @@ int check(const Options& options) {
     const ValuesCheck found = check(picture, known, options.settings);
 
     const reports::ValuesReport report{options.images, expected, picture, known, options.settings, found};
-    if (!options.json.empty()) write_file(options.json, reports::values_json(report));
+    if (!options.json.empty()) write_output(options.json, reports::values_json(report));
     fmt::print("{}{}: {}\n", reports::values_table(report, terminal_style()), to_string(found.verdict.outcome),
                found.verdict.reason);
     return exit_code(found.verdict.outcome);

@@ -97,8 +97,8 @@ int compare(const Options& options) {
     const ImageComparison found = compare(a, b, options.settings);
 
     const reports::ComparisonReport report{files_a, files_b, a, b, options.settings, found};
-    if (!options.json.empty()) write_file(options.json, reports::comparison_json(report));
-    if (!options.report.empty()) write_file(options.report, reports::comparison_html(report));
+    if (!options.json.empty()) write_output(options.json, reports::comparison_json(report));
+    if (!options.report.empty()) write_output(options.report, reports::comparison_html(report));
     fmt::print("{}: {}\n", to_string(found.verdict.outcome), found.verdict.reason);
     print_tiles(found);
     for (const ErrorMeasure& error : found.errors)

@@ -12,6 +12,8 @@
 #include "reports/run/html.h"
 #include "reports/run/json.h"
 #include "reports/run/table.h"
+#include "reports/study/study_files.h"
+#include "reports/study/study_page.h"
 #include "studies/image_series.h"
 #include "studies/measure.h"
 #include "studies/scene_series.h"
@@ -27,9 +29,10 @@ struct Options {
     std::uint64_t replicates = 1000;
     std::optional<std::uint64_t> seed;
     int threads = 0;
-    std::string images;     ///< a pattern of files that somebody has, instead of estimators and integrands
+    std::vector<std::string> images;  ///< patterns of files that somebody has, instead of estimators and integrands
     std::string reference;  ///< of a scene: a file, "auto" for the cached one; empty: measured for the purpose
     std::string cache = "out/references";
+    std::string csv, svg;  ///< of images
     std::string json, report = "out/converge.html";
 };
 
@@ -81,15 +84,31 @@ std::vector<Measurement> measurements(const Options& options) {
     return all;
 }
 
+// The one plot among the files of a study.
+std::string svg_of(const reports::StudyResult& figure) {
+    const std::vector<reports::FolderFile> files = reports::study_files(figure);
+    return std::ranges::find_if(files, [](const auto& file) { return file.name.ends_with(".svg"); })->text;
+}
+
 // Of images that somebody has, in place of estimators and integrands.
 int converge_images(const Options& options) {
-    require_writable({options.json, options.report});
-    const ImageSeries measured = measure_images(options.images, options.reference);
-    const reports::RunInfo info = Session(0, options.threads).run;
-    const std::vector<Series> all{measured.series};
-    if (!options.json.empty()) write_file(options.json, reports::converge_json(info, all, std::vector{measured.said}));
-    if (!options.report.empty()) reports::write_converge_report(info, all, options.report);
-    fmt::print("{}truth of {}\n", text_of(measured, terminal_style().width), measured.said);
+    require_writable({options.json, options.csv, options.svg, options.report});
+    std::vector<ImageSeries> measured;
+    std::vector<Series> all;
+    std::vector<std::string> truths;
+    for (const std::string& pattern : options.images) {
+        measured.push_back(measure_images(pattern, options.reference));
+        all.push_back(measured.back().series);
+        truths.push_back(measured.back().said);
+    }
+    const reports::StudyResult figure = figure_of(measured, Session(0, options.threads).run);
+    if (!options.json.empty()) write_output(options.json, reports::converge_json(figure.run, all, truths));
+    if (!options.csv.empty()) write_output(options.csv, csv_of(measured));
+    if (!options.svg.empty()) write_output(options.svg, svg_of(figure));
+    if (!options.report.empty()) write_output(options.report, reports::study_html(figure));
+    for (const ImageSeries& one : measured)
+        fmt::print("{}{}truth of {}\n", measured.size() > 1 ? one.series.estimator + "\n" : "",
+                   text_of(one, terminal_style().width), one.said);
     if (!options.report.empty()) fmt::print("report: {}\n", options.report);
     return 0;
 }
@@ -112,8 +131,8 @@ int converge(const Options& options) {
             for (Series& one : all[i](run, truths, progress)) series.push_back(std::move(one));
         }
     });
-    if (!options.json.empty()) write_file(options.json, reports::converge_json(session.run, series, truths));
-    if (!options.report.empty()) reports::write_converge_report(session.run, series, options.report);
+    if (!options.json.empty()) write_output(options.json, reports::converge_json(session.run, series, truths));
+    if (!options.report.empty()) write_output(options.report, reports::converge_report_html(session.run, series));
     fmt::print("{}", reports::converge_table(series, terminal_style()));
     for (const std::string& truth : truths) fmt::print("truth of {}\n", truth);
     if (!options.report.empty()) fmt::print("report: {}\n", options.report);
@@ -131,7 +150,8 @@ Action add(CLI::App& verb) {
                         "SCENE:x,y,width,height");
     CLI::Option* images =
         verb.add_option("--images", options->images,
-                        "instead: the error of images that you have, 'out_{spp}_{seed}.exr'; {seconds} too, if known")
+                        "instead: the error of images that you have, 'out_{spp}_{seed}.exr'; {seconds} too, if known; "
+                        "several patterns share one plot")
             ->excludes(estimators)
             ->excludes(on);
     verb.add_option("--reference", options->reference,
@@ -139,13 +159,13 @@ Action add(CLI::App& verb) {
     add_cache(verb, options->cache);
     add_parsed(verb, "--n", options->n, parse_sample_counts, "sample counts: first..last (doubling) or a list a,b,c")
         ->default_str(default_counts);
-    verb.add_option("--replicates", options->replicates, "independent runs at each count")
-        ->check(CLI::Range(2, 100'000'000))
-        ->capture_default_str();
+    add_count(verb, "--replicates", options->replicates, 2, 100'000'000, "independent runs at each count");
     add_seed_and_threads(verb, options->seed, options->threads);
     for (const char* other : {"--cache", "--n", "--replicates", "--seed"}) images->excludes(verb.get_option(other));
     verb.add_option("--json", options->json, "write the series as JSON to this file");
-    verb.add_option("--report", options->report, "the page with the plots")->capture_default_str();
+    verb.add_option("--csv", options->csv, "write the series of --images as CSV to this file")->needs(images);
+    verb.add_option("--svg", options->svg, "draw relMSE of --images against samples to this file")->needs(images);
+    verb.add_option("--report", options->report, "the page with the plots; '' for none")->capture_default_str();
     verb.footer(
         "Examples: plumb converge independent torus-tent --on exp --n 16..4096\n"
         "          plumb converge direct direct+sobol --on cornell_box:64,64\n"

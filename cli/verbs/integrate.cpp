@@ -38,33 +38,32 @@ int integrate(Options options) {
         if (answer.series) series.push_back(*answer.series);
         rows.push_back(row_of(answer));
     }
-    if (!options.json.empty()) write_file(options.json, reports::integration_json(session.run, rows, series));
-    if (!series.empty()) reports::write_converge_report(session.run, series, options.report);
+    if (!options.json.empty()) write_output(options.json, reports::integration_json(session.run, rows, series));
+    const bool page = !series.empty() && !options.report.empty();
+    if (page) write_output(options.report, reports::converge_report_html(session.run, series));
     for (const own::Answer& answer : answers) fmt::print("{}", text_of(answer));
-    if (!series.empty()) fmt::print("report: {}\n", options.report);
+    if (page) fmt::print("report: {}\n", options.report);
     return std::ranges::all_of(answers, &own::Answer::target_met) ? 0 : 3;
 }
 
 void add_work(CLI::App& verb, own::IntegralTask& task) {
-    CLI::Option* n = verb.add_option("--n", task.n, "samples in each run [1024]");
-    n->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 32));
+    CLI::Option* n =
+        add_count(verb, "--n", task.n, 1, std::uint64_t{1} << 32, "samples in each run")->default_str("1024");
     add_parsed(verb, "--error", task.error, parse_error_target,
                "instead of --n: double n until the standard error is at most this, 1e-3 or 1%")
         ->excludes(n);
-    verb.add_option("--replicates", task.replicates, "independent runs, whose spread gives the error")
-        ->check(CLI::Range(16, 1'000'000))
-        ->capture_default_str();
-    verb.add_option("--max-evaluations", task.max_evaluations, "evaluations of the integrand at which --error gives up")
-        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 48))
-        ->capture_default_str();
-    verb.add_option("--batches", task.batches, "cut a file of independent samples into this many sets")
-        ->check(CLI::Range(2, 1'000'000));
+    add_count(verb, "--replicates", task.replicates, 16, 1'000'000, "independent runs, whose spread gives the error");
+    add_count(verb, "--max-evaluations", task.max_evaluations, 1, std::uint64_t{1} << 48,
+              "evaluations of the integrand at which --error gives up");
+    add_count(verb, "--batches", task.batches, 2, 1'000'000, "cut a file of independent samples into this many sets");
 }
 
 Action add(CLI::App& verb) {
     const auto options = std::make_shared<Options>();
     verb.add_option("what", options->what,
-                    "a formula of x (and y), @id of a shipped integrand, an image, or CSV files of samples x[,y],f")
+
+                    "a formula of x (and y), @id of a shipped integrand, an image, or files of samples x[,y],f "
+                    "(.csv, .tsv, .txt, .dat; - for standard input)")
         ->required();
     verb.add_option("--method", options->method,
                     "see plumb list estimators [sobol-owen]; for samples: voronoi [default], torus, reweighted (1D), "
@@ -78,7 +77,8 @@ Action add(CLI::App& verb) {
         ->check(CLI::IsMember({"nearest", "bilinear"}));
     add_seed_and_threads(verb, options->seed, options->threads);
     verb.add_option("--json", options->json, "write the answers as JSON to this file");
-    verb.add_option("--report", options->report, "the page with the convergence plot")->capture_default_str();
+    verb.add_option("--report", options->report, "the page with the convergence plot; '' for none")
+        ->capture_default_str();
     verb.footer(
         "Exit code: 0, or 3 when the target was missed, 2 usage or input error.\n\n"
         "Example: plumb integrate 'exp(x)*sin(3*y)' --method torus-tent --error 0.1%");

@@ -39,6 +39,13 @@ std::vector<reports::ListRow> mutant_rows(const Catalogue& catalogue) {
     return rows;
 }
 
+std::vector<reports::ListRow> list_of(const Lists& lists) {
+    std::vector<reports::ListRow> rows;
+    for (const auto& [name, rows_of] : lists)
+        rows.push_back({{"list", name}, {"entries", static_cast<std::uint64_t>(rows_of().size())}});
+    return rows;
+}
+
 }  // namespace
 
 Lists catalogue_lists(const Catalogue& catalogue) {
@@ -51,12 +58,13 @@ Action add_list(CLI::App& verb, const std::string& names, Lists (*lists)(const C
         bool json = false;
     };
     const auto options = std::make_shared<Options>();
-    verb.add_option("what", options->what, names)->required();
+    verb.add_option("what", options->what, names + "; when not given, which lists there are");
     verb.add_flag("--json", options->json, "print the list as JSON");
     return [options, lists](const Catalogue& catalogue) {
         const Lists all = lists(catalogue);
         const std::vector<reports::ListRow> rows =
-            find_named(all, options->what, "list", &Lists::value_type::first).second();
+            options->what.empty() ? list_of(all)
+                                  : find_named(all, options->what, "list", &Lists::value_type::first).second();
         fmt::print("{}", options->json ? reports::list_json(rows) : reports::list_table(rows, terminal_style()));
         return 0;
     };

@@ -48,7 +48,7 @@ void check_outputs(const Outputs& outputs) {
     for (const auto& [option, file] : {std::pair("--json", outputs.json), std::pair("--junit", outputs.junit),
                                        std::pair("--report", outputs.report)}) {
         if (file.empty()) continue;
-        check_writable(file);
+        require_writable({file});
         const auto [other, is_new] = taken.emplace(real_path(file), option);
         if (!is_new)
             throw Error(
@@ -57,9 +57,9 @@ void check_outputs(const Outputs& outputs) {
 }
 
 int publish(const reports::Results& results, std::int64_t run, const Outputs& outputs) {
-    if (!outputs.json.empty()) write_file(outputs.json, reports::to_json(results));
-    if (!outputs.junit.empty()) write_file(outputs.junit, reports::junit_xml(results));
-    if (!outputs.report.empty()) reports::write_report(results, {}, outputs.report);
+    if (!outputs.json.empty()) write_output(outputs.json, reports::to_json(results));
+    if (!outputs.junit.empty()) write_output(outputs.junit, reports::junit_xml(results));
+    if (!outputs.report.empty()) write_output(outputs.report, reports::report_html(results));
     fmt::print("{}", reports::verdict_table(results, terminal_style()));
     for (const reports::ClaimResult& claim : results.claims)  // what the table's width may have cut off
         if (claim.verdict.outcome != Outcome::holds) fmt::print("{}: {}\n", claim.id, describe(claim.verdict));

@@ -48,9 +48,7 @@ void add_paths(CLI::App& verb, PathOptions& options) {
         ->capture_default_str();
     add_parsed(verb, "--strategy", options.strategy, parse_strategy,
                "one strategy of bdpt, alone and unweighted: s,t for s vertices from the light and t from the sensor");
-    verb.add_option("--spp", options.samples_per_pixel, "samples of each pixel")
-        ->check(CLI::Range(1u, 1u << 24))
-        ->capture_default_str();
+    add_count(verb, "--spp", options.samples_per_pixel, 1, 1u << 24, "samples of each pixel");
     add_parsed(verb, "--crop", options.crop, parse_crop, "render only these pixels: x,y,width,height");
 }
 
@@ -58,10 +56,8 @@ CLI::Option* add_error(CLI::App& verb, RenderEnd& end) {
     CLI::Option* error = add_parsed(verb, "--error", end.error, parse_error_target,
                                     "double the passes until the picture's RMSE is at most this, 1e-3, or 1% of the "
                                     "picture");
-    verb.add_option("--max-spp", end.most_samples, "samples of each pixel at which --error gives up")
-        ->check(CLI::Range(64u, 1u << 24))
-        ->needs(error)
-        ->capture_default_str();
+    add_count(verb, "--max-spp", end.most_samples, 64, 1u << 24, "samples of each pixel at which --error gives up")
+        ->needs(error);
     return error;
 }
 

@@ -7,6 +7,7 @@
 #include "cli/verb.h"
 #include "cli/verbs/path_options.h"
 #include "cli/verbs/render_picture.h"
+#include "core/error.h"
 #include "core/images/image.h"
 
 namespace plumb::cli::verbs {
@@ -28,11 +29,20 @@ fs::path output_of(const Options& options, const LoadedScene& scene) {
            (shard ? fmt::format("{}-{}-of-{}.film", scene.name(), shard->index, shard->count) : scene.name() + ".exr");
 }
 
+// Nothing to see and nothing to see it by: a mistake, not a picture.
+void require_content(const LoadedScene& scene) {
+    const description::Scene& has = scene.scene.description();
+    if (has.shapes.empty() && has.emitters.empty())
+        throw Error(fmt::format("{}: has no shapes and no emitters; accepted: a scene with one of them at least",
+                                scene.file.string()));
+}
+
 int render(const Options& options) {
     ReadScene read = read_scene(options.scene, options.load);
     const RenderMethod method = method_of(options, read.description);
     Session session(options.seed, options.threads);
     const LoadedScene scene = made_ready(std::move(read));
+    require_content(scene);
     const fs::path out = output_of(options, scene);
     require_writable({out});
     if (!options.shard) check_image_format(out);

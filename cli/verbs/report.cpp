@@ -33,15 +33,16 @@ int report(const Options& options) {
         fmt::print("{}", reports::runs_table(runs, terminal_style()));
         return 0;
     }
-    check_writable(options.report);
+    require_writable({options.report});
     const reports::Results results = store.load(options.run.value_or(newest(runs)));
     std::optional<reports::Results> against;
     if (options.against) against = store.load(*options.against);
-    reports::write_report(results, against, options.report);
+    if (!options.report.empty()) write_output(options.report, reports::report_html(results, against));
     if (against) fmt::print("{}", reports::differences_table(reports::diff_runs(*against, results), terminal_style()));
     if (!results.run.finished)
         fmt::print("unfinished: {} verdicts so far\n", results.claims.size() + results.mutants.size());
-    fmt::print("{}\nreport: {}\n", reports::summary_line(results), options.report);
+    fmt::print("{}\n", reports::summary_line(results));
+    if (!options.report.empty()) fmt::print("report: {}\n", options.report);
     return 0;
 }
 
@@ -51,7 +52,7 @@ Action add(CLI::App& verb) {
     verb.add_option("--against", options->against, "another run: show what changed since");
     verb.add_flag("--list", options->list, "list the stored runs instead");
     verb.add_option("--store", options->store, "the SQLite store that holds the runs")->capture_default_str();
-    verb.add_option("--report", options->report, "the HTML page to write")->capture_default_str();
+    verb.add_option("--report", options->report, "the HTML page to write; '' for none")->capture_default_str();
     verb.footer("Example: plumb report --run 12 --against 11");
     return [options](const Catalogue&) { return report(*options); };
 }

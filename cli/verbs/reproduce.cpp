@@ -110,7 +110,7 @@ std::string reason(const CLI::ParseError& error) {
     const std::string_view what = error.what();
     if (dynamic_cast<const CLI::ExcludesError*>(&error) && what.find("--resume") != std::string_view::npos)
         return "a resumed run keeps the patterns, seed, size and shard that it began with";
-    if (dynamic_cast<const CLI::RequiresError*>(&error) && what.find("--shard") != std::string_view::npos)
+    if (dynamic_cast<const CLI::RequiresError*>(&error) && what.starts_with("--shard requires"))
         return "all shards of a run must have the same seed";
     return {};
 }

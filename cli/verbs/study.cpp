@@ -21,7 +21,7 @@ struct Options {
     bool list = false;
     std::optional<std::uint64_t> seed, replicates;  ///< empty: as the study says
     int threads = 0;
-    std::string out;  ///< the folder; empty: out/study-NAME
+    std::optional<std::string> out;  ///< the folder; empty: out/study-NAME; an empty name: none
 };
 
 int list_studies() {
@@ -57,14 +57,14 @@ Study load(const std::string& given) {
 int study(const Options& options) {
     if (options.list) return list_studies();
     if (options.study == "calibration")
-        return study_calibration({options.seed, options.replicates, options.threads, options.out});
+        return study_calibration({options.seed, options.replicates, options.threads, options.out.value_or("")});
     if (options.study.empty()) throw Error("study: which? Give a TOML file or a name of `plumb study --list`");
     Study study = load(options.study);
     if (options.replicates)
         for (FigurePlan& figure : study.figures) figure.replicates = *options.replicates;
 
-    const std::string folder = options.out.empty() ? "out/study-" + study.about.name : options.out;
-    reports::check_replaceable(folder, {".html", ".csv", ".json", ".svg"});  // before the work
+    const std::string folder = options.out.value_or("out/study-" + study.about.name);
+    if (!folder.empty()) reports::check_replaceable(folder, {".html", ".csv", ".json", ".svg"});  // before the work
 
     Session session(options.seed ? options.seed : study.seed, options.threads);
     reports::StudyResult result{.run = {}, .about = study.about, .figures = {}, .headlines = {}};
@@ -73,12 +73,13 @@ int study(const Options& options) {
     double begun = 0;
     const auto progress = [&](const std::string& what) { session.show(begun++ / steps, what); };
     session.work([&] { result.figures = measure_study(study, run, progress); },
-                 fmt::format("nothing is saved; {} is as it was", folder));
+                 folder.empty() ? "nothing is saved" : fmt::format("nothing is saved; {} is as it was", folder));
     result.headlines = measure_headlines(study, result.figures);
     result.run = session.run;
-    reports::write_folder(folder, reports::study_files(result));
-    fmt::print("{}{}study: {}/index.html, {:.1f} s\n", reports::study_table(result, terminal_style()),
-               reports::headline_table(result.headlines, terminal_style()), folder, result.run.seconds);
+    if (!folder.empty()) reports::write_folder(folder, reports::study_files(result));
+    fmt::print("{}{}study: {}{:.1f} s\n", reports::study_table(result, terminal_style()),
+               reports::headline_table(result.headlines, terminal_style()),
+               folder.empty() ? "" : folder + "/index.html, ", result.run.seconds);
     return 0;
 }
 
@@ -86,9 +87,10 @@ Action add(CLI::App& verb) {
     const auto options = std::make_shared<Options>();
     verb.add_option("study", options->study, "a TOML file (docs/studies.md), or the name of a shipped study");
     verb.add_flag("--list", options->list, "list the shipped studies instead");
-    verb.add_option("--replicates", options->replicates, "independent runs of each point, in place of the study's own")
-        ->check(CLI::Range(2, 100'000'000));
-    verb.add_option("--out", options->out, "the folder that the study is written to; out/study-NAME when not given");
+    add_count(verb, "--replicates", options->replicates, 2, 100'000'000,
+              "independent runs of each point, in place of the study's own");
+    verb.add_option("--out", options->out,
+                    "the folder that the study is written to; '' for none; out/study-NAME when not given");
     add_seed_and_threads(verb, options->seed, options->threads);
     verb.footer("Example: plumb study boundary");
     return [options](const Catalogue&) { return study(*options); };

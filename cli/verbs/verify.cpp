@@ -9,13 +9,17 @@
 #include "cli/values.h"
 #include "cli/verb.h"
 #include "cli/verbs/outputs.h"
+#include "cli/verbs/verify.h"
+#include "core/error.h"
+#include "core/error_target.h"
 #include "core/random.h"
 #include "core/shard.h"
 #include "core/version.h"
 #include "reports/run/planning.h"
 #include "reports/run/store.h"
 
-namespace plumb::cli::verbs {
+namespace plumb::cli {
+namespace verbs {
 namespace {
 
 struct Options : Outputs {
@@ -28,7 +32,11 @@ struct Options : Outputs {
     Shard shard;
     bool resume = false;           ///< the newest unfinished run of the store, whose settings stand
     checks::SamplerTrial sampler;  ///< instead of the catalogue; without a command: none
+    bool report_given = false;     ///< --report; without it a part has a page of its own
 };
+
+// The page of a part does not take the place of that of the whole.
+constexpr const char* report_of_a_part = "out/report-part.html";
 
 // The run that the options ask for, begun or gone on with.
 reports::RunPlan plan_of(const Options& options, const Catalogue& catalogue) {
@@ -71,9 +79,11 @@ int carry_out(const reports::RunPlan& plan, const Catalogue& catalogue, const Op
     return judge_watched(catalogue, plan.items, setting, keep, farewell);
 }
 
-int verify(const Options& options, const Catalogue& catalogue) {
+int verify(Options options, const Catalogue& catalogue) {
     check_outputs(options);
     const reports::RunPlan plan = plan_of(options, catalogue);
+    const bool part = !plan.run.patterns.empty() || plan.run.shards > 1 || !options.sampler.command.empty();
+    if (part && !options.report_given) options.report = report_of_a_part;
     reports::Store store(options.store, reports::Store::Access::append);
     if (const int signal = carry_out(plan, catalogue, options, store)) return 128 + signal;
     store.finish(plan.number);
@@ -83,31 +93,45 @@ int verify(const Options& options, const Catalogue& catalogue) {
 int verify_sampler(Options options) {
     check_outputs(options);  // before the sampler's work, not after it
     if (!options.seed) options.seed = fresh_seed();
+    if (options.sampler.density.empty() && !options.sampler.mean)
+        throw Error("--sampler: judged by what? Give --density, or --mean and --delta");
     return verify(options, checks::sampler_catalogue(options.sampler, *options.seed, options.alpha));
 }
 
 void add_sampler(CLI::App& verb, checks::SamplerTrial& trial) {
     CLI::Option* sampler = verb.add_option("--sampler", trial.command,
-                                           "judge a sampler in another process instead: a command that prints {n} "
-                                           "samples, one a line, from the seed {seed}");
-    CLI::Option* density =
-        verb.add_option("--density", trial.density,
-                        "the sampler's density: a CSV file, or uniform, linear:A,B, exponential:RATE, uniform-2d, "
-                        "bilinear:A,B,C,D");
-    sampler->needs(density);
+                                           "judge a program in another process instead: a command that prints {n} "
+                                           "samples or values, one a line, from the seed {seed}");
+    CLI::Option* density = verb.add_option(
+        "--density", trial.density,
+        "the sampler's density: a CSV file, or uniform, linear:A,B, exponential:RATE, uniform-2d, bilinear:A,B,C,D; "
+        "own: as its lines say, x,pdf or x,y,pdf" +
+            std::string(trial.formula ? "; or a formula of x (and y), which Plumb normalises" : ""));
+    CLI::Option* mean = verb.add_option("--mean", trial.mean, "instead: the mean of the values that it prints");
     for (const char* other : {"patterns", "--full", "--shard", "--resume"}) sampler->excludes(verb.get_option(other));
-    density->needs(sampler);
-    verb.add_option("--delta", trial.delta, "the density error (phi) that `holds` excludes")
-        ->check(probability())
-        ->needs(sampler)
-        ->capture_default_str();
+    density->needs(sampler)->excludes(mean);
+    mean->needs(sampler);
+    add_parsed(verb, "--delta", trial.delta, parse_error_target,
+               "the error that `holds` excludes: of a density (phi) 0.05 when not given; of a mean 1e-3 or 1%")
+        ->needs(sampler);
+    add_count(verb, "--samples", trial.samples, 1, trial.most_samples,
+              "how many lines are asked for with --mean or --density own; other densities need what they need")
+        ->needs(sampler);
+    add_domain(verb, trial.domain);
+    verb.get_option("--domain")->needs(density);
     add_parsed(verb, "--sampler-timeout", trial.timeout, parse_duration,
                "when a sampler that is not done is stopped; 60s when not given")
         ->needs(sampler);
 }
 
-Action add(CLI::App& verb) {
+}  // namespace
+
+}  // namespace verbs
+
+Action add_verify(CLI::App& verb, decltype(checks::SamplerTrial::formula) formula) {
+    using namespace verbs;
     const auto options = std::make_shared<Options>();
+    options->sampler.formula = std::move(formula);
     CLI::Option* patterns =
         verb.add_option("patterns", options->patterns, "claims to judge, e.g. 'reweighting/*'; all when none is given");
     CLI::Option* full =
@@ -132,24 +156,32 @@ Action add(CLI::App& verb) {
         "2 usage or input error, 3 something undecided; 130 or 143 when SIGINT or SIGTERM ended it: what was judged\n"
         "is stored, and --resume goes on.\n\n"
         "Example: plumb verify 'reweighting/*' 'points/*' --json verdicts.json");
-    return [options](const Catalogue& catalogue) {
+    CLI::Option* report = verb.get_option("--report");
+    report->description(report->get_description() + fmt::format("; of a part {}", report_of_a_part));
+    return [options, report](const Catalogue& catalogue) {
+        options->report_given = report->count() > 0;
         return options->sampler.command.empty() ? verify(*options, catalogue) : verify_sampler(*options);
     };
 }
 
-std::string reason(const CLI::ParseError& error) {
+std::string reason_of_verify(const CLI::ParseError& error) {
     const std::string_view what = error.what();
-    if (dynamic_cast<const CLI::ExcludesError*>(&error) && what.find("--resume") != std::string_view::npos)
+    const auto says = [&](std::string_view words) { return what.find(words) != std::string_view::npos; };
+    if (dynamic_cast<const CLI::ExcludesError*>(&error) && says("--resume") && says("--sampler"))
+        return "samples are asked for anew each time: such a run is short";
+    if (dynamic_cast<const CLI::ExcludesError*>(&error) && says("--resume"))
         return "a resumed run keeps the patterns, seed, alpha, size and shard that it began with";
-    if (dynamic_cast<const CLI::RequiresError*>(&error) && what.find("--shard") != std::string_view::npos)
+    if (dynamic_cast<const CLI::RequiresError*>(&error) && what.starts_with("--shard requires"))
         return "all shards of a run must have the same seed";
     return {};
 }
 
-}  // namespace
+namespace verbs {
 
 Verb verify() {
-    return {"verify", "Judge claims and their mutants; write a report", add, reason};
+    return {"verify", "Judge claims and their mutants; write a report",
+            [](CLI::App& verb) { return add_verify(verb, {}); }, reason_of_verify};
 }
 
-}  // namespace plumb::cli::verbs
+}  // namespace verbs
+}  // namespace plumb::cli

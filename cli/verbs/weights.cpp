@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <cstring>
 #include <iterator>
 
 #include "cli/common_options.h"
@@ -14,7 +13,7 @@ namespace plumb::cli::verbs {
 namespace {
 
 struct Options {
-    std::string points, out;     ///< out: empty for standard output
+    std::string points, out = "-";
     bool periodic = false;       ///< 0 and 1 are one place
     std::vector<double> domain;  ///< x0, x1[, y0, y1]; empty: the unit cube
 };
@@ -60,25 +59,22 @@ void print_summary(const NumberTable& points, const std::vector<double>& weights
 
 int weights(const Options& options) {
     require_writable({options.out});
-    const NumberTable points = in_order(parse_csv(read_file(options.points), options.points), {{"x"}, {"x", "y"}});
+    const NumberTable points = in_order(parse_csv(read_input(options.points), options.points), {{"x"}, {"x", "y"}});
     std::size_t repeated = 0;
     const std::vector<double> weights =
         points.columns == 1 ? weights_of<1>(points, options, repeated) : weights_of<2>(points, options, repeated);
     const std::string csv = csv_of(points, weights);
-    if (!options.out.empty())
-        write_file(options.out, csv);
-    else if (std::fwrite(csv.data(), 1, csv.size(), stdout) != csv.size() || std::fflush(stdout) != 0)
-        throw Error(fmt::format("standard output cannot be written: {}", std::strerror(errno)));
+    write_output(options.out, csv);
     print_summary(points, weights, repeated);
     return 0;
 }
 
 Action add(CLI::App& verb) {
     const auto options = std::make_shared<Options>();
-    verb.add_option("points", options->points, "a CSV file with columns x or x,y")->required();
+    verb.add_option("points", options->points, "a file with columns x or x,y; - for standard input")->required();
     verb.add_flag("--periodic", options->periodic, "weigh them on the torus, where opposite ends are one place");
     add_domain(verb, options->domain);
-    verb.add_option("-o,--output", options->out, "where the CSV goes; standard output when not given");
+    verb.add_option("-o,--output", options->out, "where the CSV goes; - for standard output")->capture_default_str();
     verb.footer("Example: plumb weights points.csv --periodic -o weights.csv");
     return [options](const Catalogue&) { return weights(*options); };
 }

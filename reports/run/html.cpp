@@ -1,6 +1,5 @@
 #include "reports/run/html.h"
 
-#include "core/file.h"
 #include "reports/page/page_html.h"
 #include "reports/run/page_data.h"
 
@@ -17,13 +16,8 @@ std::string report_html(const Results& results, const std::optional<Results>& ag
     return page_html(title(results), page_data(results, against));
 }
 
-void write_report(const Results& results, const std::optional<Results>& against, const std::filesystem::path& file) {
-    write_file(file, report_html(results, against));
-}
-
-void write_converge_report(const RunInfo& run, std::span<const Series> series, const std::filesystem::path& file) {
-    Results results{.run = run, .series = {series.begin(), series.end()}};
-    write_report(results, {}, file);
+std::string converge_report_html(const RunInfo& run, std::span<const Series> series) {
+    return report_html({.run = run, .series = {series.begin(), series.end()}});
 }
 
 }  // namespace plumb::reports

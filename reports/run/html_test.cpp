@@ -44,7 +44,7 @@ TEST(Page, CannotBeBrokenOutOfByTheData) {
 TEST(Page, OfConvergeHasNoVerdicts) {
     const TestFolder folder;
     const Results results = sample_results();
-    write_converge_report(results.run, results.claims[6].verdict.series, folder / "converge.html");
+    write_file(folder / "converge.html", converge_report_html(results.run, results.claims[6].verdict.series));
     EXPECT_THAT(read_file(folder / "converge.html"),
                 AllOf(HasSubstr("<title>Plumb: convergence"), HasSubstr("\"claims\":[]")));
 }

@@ -19,7 +19,8 @@ Json changes(const std::vector<OutcomeChange>& list) {
 Json differences(const Results& before, const Results& after) {
     const Differences d = diff_runs(before, after);
     return {{"claims", changes(d.claims)}, {"mutants", changes(d.mutants)},    {"added", d.added},
-            {"removed", d.removed},        {"added_mutants", d.added_mutants}, {"removed_mutants", d.removed_mutants}};
+            {"removed", d.removed},        {"added_mutants", d.added_mutants}, {"removed_mutants", d.removed_mutants},
+            {"not_asked", d.not_asked}};
 }
 
 }  // namespace

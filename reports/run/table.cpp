@@ -101,9 +101,25 @@ std::string text_of(const FieldValue& field) {
     return std::visit(write, field);
 }
 
-}  // namespace
+// On a terminal: without kind and seconds, and with ids in at most two fifths of the room that the numbers leave, since
+// why a claim is refuted says more than the head of its id.
+std::string narrow_verdicts(const Results& results, const TableStyle& style) {
+    std::size_t widest = columns_of("deviation");
+    for (const ClaimResult& claim : results.claims)
+        widest = std::max(widest, columns_of(readable(claim.verdict.deviation)));
+    const std::size_t numbers = columns_of("undecided") + widest + columns_of("samples") + 4 * 2;
+    const std::size_t room = columns(style) > numbers ? columns(style) - numbers : 0;
+    const std::size_t most = std::max<std::size_t>(room * 2 / 5, 16);
+    std::vector<std::vector<std::string>> rows;
+    for (const ClaimResult& claim : results.claims)
+        rows.push_back({to_string(claim.verdict.outcome), shortened_from_left(claim.id, most),
+                        readable(claim.verdict.deviation), readable_count(claim.verdict.samples),
+                        claim.verdict.reason});
+    return table({{"outcome"}, {"claim"}, {"deviation", Align::right}, {"samples", Align::right}, {"reason"}}, rows,
+                 columns(style), paint(style));
+}
 
-std::string verdict_table(const Results& results, const TableStyle& style) {
+std::string wide_verdicts(const Results& results, const TableStyle& style) {
     std::vector<std::vector<std::string>> rows;
     for (const ClaimResult& claim : results.claims)
         rows.push_back({to_string(claim.verdict.outcome), claim.id, to_string(claim.kind),
@@ -116,8 +132,15 @@ std::string verdict_table(const Results& results, const TableStyle& style) {
                   {"samples", Align::right},
                   {"seconds", Align::right},
                   {"reason"}},
-                 rows, columns(style), paint(style)) +
-           living_mutants(results, style) + "\n" + summary_line(results) + "\n";
+                 rows, columns(style), paint(style));
+}
+
+}  // namespace
+
+std::string verdict_table(const Results& results, const TableStyle& style) {
+    const bool narrow = style.width < TableStyle::unlimited;
+    return (narrow ? narrow_verdicts(results, style) : wide_verdicts(results, style)) + living_mutants(results, style) +
+           "\n" + summary_line(results) + "\n";
 }
 
 std::string converge_table(std::span<const Series> series, const TableStyle& style) {
@@ -127,7 +150,12 @@ std::string converge_table(std::span<const Series> series, const TableStyle& sty
 }
 
 std::string differences_table(const Differences& differences, const TableStyle& style) {
-    if (differences.empty()) return "no differences in outcomes\n";
+    const std::string rest =
+        differences.not_asked == 0
+            ? ""
+            : fmt::format("{} claims and mutants that only one of the runs was asked for are left out\n",
+                          differences.not_asked);
+    if (differences.empty()) return "no differences in outcomes\n" + rest;
     std::vector<std::vector<std::string>> rows;
     for (const auto* changes : {&differences.claims, &differences.mutants})
         for (const OutcomeChange& change : *changes)
@@ -135,7 +163,8 @@ std::string differences_table(const Differences& differences, const TableStyle& 
     std::string text;
     if (!rows.empty()) text = table({{"changed"}, {"before"}, {"after"}}, rows, columns(style), paint(style));
     return text + list_of("added", differences.added) + list_of("removed", differences.removed) +
-           list_of("added mutant", differences.added_mutants) + list_of("removed mutant", differences.removed_mutants);
+           list_of("added mutant", differences.added_mutants) + list_of("removed mutant", differences.removed_mutants) +
+           rest;
 }
 
 std::string runs_table(std::span<const StoredRun> runs, const TableStyle& style) {
@@ -169,7 +198,7 @@ std::string list_table(std::span<const ListRow> rows, const TableStyle& style) {
         std::vector<std::string>& line = cells.emplace_back();
         for (std::size_t c = 0; c < headings.size(); ++c) {
             const std::string cell = c < row.size() ? text_of(row[c].second) : "";
-            const bool shorten = c > 0 && c + 1 < headings.size();
+            const bool shorten = style.width < TableStyle::unlimited && c > 0 && c + 1 < headings.size();
             line.push_back(shorten ? shortened(cell, 40) : cell);
         }
     }

@@ -13,7 +13,7 @@ namespace {
 using testing::AllOf, testing::EndsWith, testing::HasSubstr, testing::Not;
 
 TEST(VerdictTable, HasOneLineAClaimTheLivingMutantsAndTheSummary) {
-    const std::string text = verdict_table(sample_results(), {.colour = false, .width = 120});
+    const std::string text = verdict_table(sample_results(), {.colour = false, .width = TableStyle::unlimited});
     for (const ClaimResult& claim : sample_results().claims) EXPECT_THAT(text, HasSubstr(claim.id));
     EXPECT_THAT(text, AllOf(HasSubstr("lives   mis/one-sample/distribution/swapped"), Not(HasSubstr("clipped")),
                             EndsWith("\n9 hold, 2 refuted, 1 undecided; mutants: 3 of 4 refuted\n")));
@@ -25,6 +25,24 @@ TEST(VerdictTable, KeepsToTheWidthAndIsPlainUnlessAsked) {
     for (std::string line; std::getline(lines, line);) EXPECT_LE(columns_of(line), 120U) << line;
     EXPECT_THAT(text, Not(HasSubstr("\033")));
     EXPECT_THAT(verdict_table(sample_results(), {.colour = true}), HasSubstr("\033[1;31mrefuted"));
+}
+
+TEST(VerdictTable, KeepsReasonsRatherThanIdsOnATerminal) {
+    Results results = sample_results();
+    results.claims[0].id = "reweighting/a-group/with-names/that-go-on/and-on/and-on/to-the-end";
+    results.claims[0].verdict.reason = "a reason of some length, of which the beginning says what it is about";
+    const std::string narrow = verdict_table(results, {.colour = false, .width = 100});
+    EXPECT_THAT(narrow, AllOf(HasSubstr("to-the-end"), Not(HasSubstr(results.claims[0].id)),
+                              HasSubstr("a reason of some len")));
+    const std::string pipe = verdict_table(results, {.colour = false, .width = TableStyle::unlimited});
+    EXPECT_THAT(pipe, AllOf(HasSubstr(results.claims[0].id), HasSubstr(results.claims[0].verdict.reason)));
+}
+
+TEST(ListTable, ShortensOnATerminalAlone) {
+    const std::string text(60, 'w');
+    const std::vector<ListRow> rows = {{{"id", std::string("a")}, {"statement", text}, {"source", std::string("s")}}};
+    EXPECT_THAT(list_table(rows), Not(HasSubstr(text)));
+    EXPECT_THAT(list_table(rows, {.colour = false, .width = TableStyle::unlimited}), HasSubstr(text));
 }
 
 TEST(ConvergeTable, HasPointsAndTheSlopeAgainstTheory) {

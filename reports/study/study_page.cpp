@@ -75,6 +75,7 @@ std::string page_data(const StudyResult& study) {
                          {"text", study.about.text},
                          {"source", study.about.source},
                          {"several", study.about.several},
+                         {"renders", study.about.renders},
                          {"styles", styles},
                          {"figures", figures},
                          {"headline_level", headline_level},
@@ -92,7 +93,7 @@ std::string headlines_json(const StudyResult& study) {
 }
 
 std::string study_html(const StudyResult& study) {
-    return page_html((study.about.several ? "Plumb: " : "Plumb study: ") + study.about.title, page_data(study));
+    return page_html((study.about.several || study.about.renders ? "Plumb: " : "Plumb study: ") + study.about.title, page_data(study));
 }
 
 }  // namespace plumb::reports

@@ -40,6 +40,7 @@ struct FigureResult {
 struct StudyText {
     std::string name, title, text, source;
     bool several = false;  ///< figures of several studies, whose titles begin with the study's and a colon
+    bool renders = false;  ///< no study: series of pictures that somebody has, against a reference
 };
 
 /// Everything that a study found: the one value that its page, CSV and plots render.

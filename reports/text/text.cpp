@@ -32,6 +32,16 @@ std::string shortened(std::string_view text, std::size_t width) {
     return std::string(text.substr(0, bytes)) + "…";
 }
 
+std::string shortened_from_left(std::string_view text, std::size_t width) {
+    const std::size_t columns = columns_of(text);
+    if (columns <= width) return std::string(text);
+    if (width == 0) return "";
+    std::size_t bytes = 0;
+    for (std::size_t seen = 0; bytes < text.size(); ++bytes)
+        if (starts_code_point(text[bytes]) && seen++ == columns - width + 1) break;
+    return "…" + std::string(text.substr(bytes));
+}
+
 std::string readable(double x) {
     return std::isnan(x) ? "–" : fmt::format("{:.3g}", x);
 }

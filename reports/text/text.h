@@ -16,6 +16,9 @@ std::size_t columns_of(std::string_view text);
 /// The text in at most `width` columns, the last of them "…" when something had to go.
 std::string shortened(std::string_view text, std::size_t width);
 
+/// The same, where the end says more: "…" goes first.
+std::string shortened_from_left(std::string_view text, std::size_t width);
+
 /// The number with three significant digits; "–" for NaN.
 std::string readable(double x);
 /// The count in short: 1234567 is "1.23M".

@@ -1,5 +1,8 @@
 #include "studies/own/integrate_samples.h"
 
+#include <iostream>
+#include <iterator>
+
 #include "core/error.h"
 #include "core/file.h"
 #include "core/moments.h"
@@ -9,6 +12,11 @@
 
 namespace plumb::own {
 namespace {
+
+std::string text_of(const std::string& file) {
+    if (file != "-") return read_file(file);
+    return {std::istreambuf_iterator<char>(std::cin), {}};
+}
 
 void check_task(const IntegralTask& task) {
     for (const auto& [given, option] : {std::pair{task.n.has_value(), "--n"},
@@ -110,7 +118,8 @@ Answer integrate_samples(const IntegralTask& task) {
     check_task(task);
     std::vector<NumberTable> tables;
     for (const std::string& file : task.what)
-        tables.push_back(in_order(parse_csv(read_file(file), file), {{"x", "f"}, {"x", "y", "f"}}));
+        tables.push_back(
+            in_order(parse_csv(text_of(file), file == "-" ? "standard input" : file), {{"x", "f"}, {"x", "y", "f"}}));
     for (const NumberTable& table : tables) {
         if (table.columns != tables.front().columns)
             throw Error(fmt::format("{}: {} columns found; {} has {}", table.name, table.columns, tables.front().name,

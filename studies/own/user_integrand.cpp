@@ -96,6 +96,7 @@ UserIntegrands read_image_channels(const IntegralTask& task) {
 }  // namespace
 
 InputKind kind_of(const std::string& what) {
+    if (what == "-") return InputKind::samples;
     if (what.starts_with('@')) return InputKind::shipped;
     for (const char* ending : {".csv", ".CSV", ".tsv", ".txt", ".dat"})
         if (what.ends_with(ending)) return InputKind::samples;

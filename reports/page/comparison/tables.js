@@ -7,6 +7,12 @@ const OUTCOME_OF = { same: "holds", differs: "refuted" };
 const stateBadge = (state) => badgeOf(OUTCOME_OF[state] ?? "undecided", state);
 const percent = (part, whole) => (num(whole) === 0 ? DASH : `${readable((100 * num(part)) / Math.abs(num(whole)))} %`);
 
+/** A reason of several clauses as a line that says what is so, and a list of what it rests on. */
+function reasonParts(reason) {
+  const [first, ...rest] = reason.split(/;\s+|\.\s+(?=[A-Z])/);
+  return [h("p", { class: "lead" }, first), rest.length ? h("ul", { class: "reasons" }, rest.map((one) => h("li", {}, one))) : null];
+}
+
 function verdictSection() {
   const fact = (name, value) => h("div", {}, h("dt", {}, name), h("dd", {}, value));
   const s = found.settings;
@@ -14,7 +20,7 @@ function verdictSection() {
     "section",
     { id: "verdict", "aria-label": "Verdict" },
     h("div", { class: "verdict" }, h("h1", {}, "Are these estimates of the same picture?"), badgeOf(found.outcome)),
-    h("p", { class: "lead" }, found.reason),
+    reasonParts(found.reason),
     h(
       "dl",
       { class: "facts" },

@@ -37,33 +37,68 @@ function tallyCards() {
   );
 }
 
-/** The shares of the outcomes as a bar; the numbers stand beside it. */
-const outcomeBar = (list) =>
-  h(
-    "span",
-    { class: "bar", "aria-hidden": "true" },
-    countOutcomes(list)
-      .filter(([, n]) => n)
-      .map(([outcome, n]) => h("span", { class: outcome, style: `flex-grow:${n}` })),
+/** What was done, and what the words mean. */
+function introduction() {
+  const { run } = results;
+  const what = run.patterns ? `the claims of ${run.patterns}` : "every claim";
+  return h(
+    "div",
+    { class: "lead" },
+    h("p", {}, `This run drew random numbers (seed ${run.seed}) until it could judge ${what}: ${plural(claims.length, "claim")} with ${plural(mutants.length, "mutant")}.`),
+    h("p", {}, "A claim is a sentence about an estimator with a number δ: it holds only where a deviation as large as δ is excluded, at a risk of 1 %; it is refuted where the numbers contradict it; else it is undecided."),
+    h("p", {}, "A mutant is a subject with a known defect that its claim must refute, so that a test which cannot fail shows itself."),
   );
+}
+
+/** The share of δ that a claim's interval leaves free: 1 where nothing can hide, 0 at δ itself; null without a δ. */
+function roomLeft(claim) {
+  const [low, high, delta] = [num(claim.deviation.low), num(claim.deviation.high), num(claim.resolution)];
+  if (![low, high, delta].every(Number.isFinite) || !(delta > 0)) return null;
+  return 1 - Math.max(Math.abs(low), Math.abs(high)) / delta;
+}
+
+/** A stroke for each claim at the room that it leaves to δ, which stands at the right; what is beyond stands there. */
+function roomStrip(list) {
+  const width = 132,
+    height = 14,
+    place = (room) => 2 + (1 - Math.max(room, 0)) * (width - 4);
+  const rooms = list.map((claim) => [claim, roomLeft(claim)]).filter(([, room]) => room !== null);
+  if (!rooms.length) return DASH;
+  const [tightest, least] = d3.least(rooms, ([, room]) => room);
+  const text = `${plural(rooms.length, "claim")} with a δ; the least room, ${Math.round(100 * Math.max(least, 0))} %, is left by ${tightest.id}`;
+  return svgElement(
+    "svg",
+    { class: "room", width, height, viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": text },
+    svgElement("title", {}, text),
+    svgElement("path", { d: `M2,${height - 1}H${width - 2}M${width - 2},0V${height}`, class: "axis" }),
+    ...rooms.map(([claim, room]) => svgElement("path", { d: `M${place(room).toFixed(1)},2V${height - 2}`, class: claim.outcome })),
+  );
+}
 
 function methodTable(chooseMethod) {
   const rows = [...d3.group(claims, (claim) => methodOf(claim.id))].map(([method, list]) => {
     const of = list.flatMap((claim) => mutantsOf.get(claim.id) ?? []);
     return [
       h("a", { href: "#verdicts", onclick: () => chooseMethod(method) }, method),
-      outcomeBar(list),
+      roomStrip(list),
       ...countOutcomes(list).map(([, n]) => (n ? String(n) : DASH)),
       `${of.filter((m) => m.killed).length}/${of.length}`,
       count(d3.sum(list, (c) => c.samples)),
       seconds(d3.sum(list, (c) => num(c.seconds))),
     ];
   });
-  return dataTable(
+  const table = dataTable(
     "Claims by method",
-    ["method", "", ...Object.keys(OUTCOMES), "mutants refuted", "samples", "time"],
+    ["method", "room left to δ", ...Object.keys(OUTCOMES), "mutants refuted", "samples", "time"],
     rows,
     [2, 3, 4, 5, 6, 7],
+  );
+  return h(
+    "details",
+    { class: "fold", open: rows.length <= 12 },
+    h("summary", {}, `By method (${rows.length})`),
+    h("p", { class: "note" }, "Each stroke is a claim: the further to the left, the more of its δ is left free; δ stands at the right end."),
+    table,
   );
 }
 

@@ -1,7 +1,7 @@
 // Puts the page together from what the run has.
 
 function overviewSection(chooseMethod) {
-  return section("overview", "Outcome", null, tallyCards(), methodTable(chooseMethod));
+  return section("overview", "Outcome", null, introduction(), tallyCards(), methodTable(chooseMethod));
 }
 
 /** #claim=id opens that claim; #section needs help only at the start, when the section was not there yet. */
@@ -19,7 +19,7 @@ function show(title, sections, openClaim) {
 }
 
 function build() {
-  if (study) return show(study.several ? study.title : `Study: ${study.title}`, studySections().filter(Boolean));
+  if (study) return show(study.several || study.renders ? study.title : `Study: ${study.title}`, studySections().filter(Boolean));
   const convergence = allSeries.length ? convergenceSection() : null;
   const verdicts = claims.length ? verdictSection((integrand) => convergence?.show(integrand)) : null;
   const sections = [

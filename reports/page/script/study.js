@@ -1,5 +1,9 @@
 // A study: its texts, and each figure with its panels, controls and numbers.
 
+/** What a series is of, and what it is held against: pictures of somebody's have no integrands. */
+const SERIES = study?.renders ? "renders" : "estimator",
+  SUBJECT = study?.renders ? "reference" : "integrand";
+
 const paragraphs = (text) => text.split(/\n\s*\n/).filter((part) => part.trim()).map((part) => h("p", {}, part));
 
 const sourceSays = (text) => (text ? h("blockquote", {}, h("b", {}, "The source: "), text) : null);
@@ -16,7 +20,7 @@ function studyPanels(plan, state) {
       const parts = [plan.panels.length > 1 ? panel.integrand : "", several ? metric : ""].filter(Boolean);
       const plot = figure(
         () => slug([plan.id, ...parts].join("-")),
-        () => `${plan.title}: ${Y_AXES[setting().y].label} on ${panel.integrand} for ${plural(visible().length, "estimator")}`,
+        () => `${plan.title}: ${Y_AXES[setting().y].label} on ${panel.integrand} for ${study.renders ? visible().map((s) => s.estimator).join(", ") : plural(visible().length, SERIES)}`,
         (width) => drawSeries(visible(), setting(), width),
         () => seriesCsv(visible()),
       );
@@ -30,7 +34,7 @@ function studyNumbers(plan) {
   const rows = plan.panels.flatMap((panel) => panel.series.map((index) => allSeries[index]));
   const table = dataTable(
     `Numbers of ${plan.title}`,
-    ["estimator", "integrand", "fitted slope", "95 %", "expected", "theory", "largest n", "MSE there", "bias ± standard error"],
+    [SERIES, SUBJECT, "fitted slope", "95 %", "expected", "theory", "largest n", "MSE there", "bias ± standard error"],
     rows.map((s) => {
       const last = s.points.at(-1);
       return [
@@ -49,6 +53,9 @@ function studyNumbers(plan) {
   );
   return h("div", { class: "numbers" }, table);
 }
+
+/** Of pictures, samples of a pixel are all that is counted, and seconds where the names of the files tell them. */
+const renderAxes = () => ({ n: { ...X_AXES.n, label: "samples per pixel" }, seconds: X_AXES.seconds });
 
 /** A plot's place in the bar of sections: over several studies, that of its study. */
 const shortTitle = (plan) => (study.several ? plan.title.split(": ")[0] : plan.title);
@@ -83,12 +90,12 @@ function studySection(plan) {
     h(
       "div",
       { class: "controls" },
-      axisChoice("Across", X_AXES, state, "x", redraw),
+      axisChoice("Across", study.renders ? renderAxes() : X_AXES, state, "x", redraw),
       plan.metrics.length === 1 ? up() : null,
       toggleOf("Confidence bands", state, "bands", redraw),
-      toggleOf("Expected slopes", state, "expected", redraw),
+      study.renders ? null : toggleOf("Expected slopes", state, "expected", redraw),
     ),
-    h("fieldset", { class: "names" }, h("legend", {}, "Estimators"), names.map(toggle)),
+    h("fieldset", { class: "names" }, h("legend", {}, study.renders ? "Renders" : "Estimators"), names.map(toggle)),
     h(
       "div",
       { class: "panels" },
@@ -106,7 +113,7 @@ const studyTexts = () => [study.source, ...study.headlines.map((one) => one.sour
 const studySections = () => [
   section(
     "about",
-    "What is compared",
+    study.renders ? "What is measured" : "What is compared",
     null,
     h("div", { class: "lead" }, paragraphs(study.text), study.source ? h("p", {}, "Source: ", cited(study.source)) : null),
   ),

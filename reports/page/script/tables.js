@@ -74,12 +74,15 @@ function differencesSection() {
           list.map((c) => [claimLink(c.id), badge(c.before), badge(c.after)]),
         )
       : null;
-  const same = Object.values(d).every((list) => list.length === 0);
+  const same = Object.values(d).every((list) => !list.length);
   return section(
     "differences",
     "Differences",
     `Against the ${run.size} run of ${run.started.replace("T", " ").replace("Z", " UTC")}, seed ${run.seed}, version ${run.version}.`,
     same ? h("p", {}, "No outcome changed; the same claims and mutants.") : null,
+    d.not_asked
+      ? h("p", { class: "note" }, `Compared is what both runs were asked for: ${plural(d.not_asked, "other verdict")} left out.`)
+      : null,
     changed("Claims with another outcome", d.claims),
     changed("Mutants with another outcome", d.mutants),
     idList("Added claims", d.added),

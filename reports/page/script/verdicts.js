@@ -91,6 +91,22 @@ function filterControls(filter, refresh) {
   };
 }
 
+/** The claims of each method behind a line that says how they ended, open where not all is well or little is shown. */
+function foldedByMethod(chosen, items) {
+  const groups = [...d3.group(chosen, (claim) => methodOf(claim.id))];
+  if (groups.length < 2) return chosen.map((claim) => items.get(claim));
+  return groups.map(([method, list]) => {
+    const counts = countOutcomes(list).filter(([, n]) => n);
+    const words = counts.map(([outcome, n]) => badge(outcome, `${n} ${OUTCOMES[outcome].many}`));
+    return h(
+      "details",
+      { class: "fold method", open: chosen.length <= 40 || counts.some(([outcome]) => outcome !== "holds") },
+      h("summary", {}, h("b", {}, method), " ", words),
+      list.map((claim) => items.get(claim)),
+    );
+  });
+}
+
 function verdictSection(showSeries) {
   const filter = { outcomes: new Set(Object.keys(OUTCOMES)), kind: "", method: "", text: "", sort: "catalogue" };
   const items = new Map(claims.map((claim) => [claim, claimItem(claim, showSeries)]));
@@ -99,14 +115,16 @@ function verdictSection(showSeries) {
   const refresh = () => {
     const chosen = claims.filter((claim) => passes(filter, claim));
     const { by } = SORTS[filter.sort];
-    if (by) chosen.sort(by);
-    list.replaceChildren(...chosen.map((claim) => items.get(claim)));
+    if (by) list.replaceChildren(...chosen.sort(by).map((claim) => items.get(claim)));
+    else list.replaceChildren(...foldedByMethod(chosen, items));
     shown.textContent = `${chosen.length} of ${plural(claims.length, "claim")} shown`;
   };
   const open = (id) => {
     const item = items.get(claimById.get(id));
     if (!item) return;
     if (!item.isConnected) list.append(item); // a filter hides it: the link counts more
+    const fold = item.closest("details.fold");
+    if (fold) fold.open = true;
     item.open = true;
     item.scrollIntoView({ block: "start" });
     item.querySelector("summary").focus({ preventScroll: true });
