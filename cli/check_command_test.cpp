@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -50,6 +51,32 @@ TEST_F(CheckCommand, IsUndecidedWhereNoiseIsLargerThanDelta) {
     const Said said = plumb("check a.exr --expect quad_light --delta 1%");
     EXPECT_EQ(said.exit_code, 3) << said.out;
     EXPECT_THAT(said.out, AllOf(HasSubstr("heavy tails"), HasSubstr("undecided: 21 of 21 values are not decided")));
+}
+
+/// A furnace is 2 everywhere, all light counted: with few samples no pixel tells that alone, all of them do.
+TEST_F(CheckCommand, HoldsAFilmWhosePixelsAreTooNoisy) {
+    std::string radiances = R"({"over": "film", "edges": null, "value": [2, 2, 2], "error": 0, "derivation": "so"},
+        {"over": "rectangle", "rectangle": [8, 8, 40.5, 40], "edges": null, "value": [2, 2, 2], "error": 0, "derivation": ""})";
+    const auto expected = [](const std::string& list) {
+        return R"({"question": "?", "film": [64, 64], "radiances": [)" + list + "]}";
+    };
+    write("film.json", expected(radiances));
+    for (int i = 0; i < 100; ++i)
+        radiances += fmt::format(R"(,{{"film": [{}, {}], "over": "pixel", "edges": null, "value": [2, 2, 2],
+                                       "error": 0, "derivation": ""}})",
+                                 6 * (i % 10), 6 * (i / 10));
+    write("all.json", expected(radiances));
+    ASSERT_EQ(plumb("render furnace_box --integrator path --spp 256 --rr-depth 2 --seed 5 -o a.exr").exit_code, 0);
+    const Said film = plumb("check a.exr --expect film.json --delta 0.5%");
+    EXPECT_EQ(film.exit_code, 0) << film.out << film.error;
+    EXPECT_THAT(film.out, AllOf(HasSubstr("film"), HasSubstr("40.5 x 40 at (8, 8)")));
+    const Said all = plumb("check a.exr --expect all.json --delta 2% --json c.json");
+    EXPECT_EQ(all.exit_code, 0) << all.out << all.error;
+    EXPECT_THAT(all.out, HasSubstr("holds: together all 306 values are as known"));
+    EXPECT_EQ(nlohmann::json::parse(read("c.json"))["together"].size(), 3U);
+    brighten("a.exr", 1.03f, "b.exr");
+    EXPECT_EQ(plumb("check b.exr --expect film.json --delta 0.5%").exit_code, 1);
+    EXPECT_EQ(plumb("check b.exr --expect all.json --delta 2%").exit_code, 1);
 }
 
 class ForeignImage : public CheckCommand {

@@ -72,21 +72,36 @@ Picture picture_to_check(const std::vector<Image>& images, const std::vector<std
     return picture;
 }
 
+std::string name_of(const KnownRadiance& known) {
+    switch (known.over) {
+        case KnownRadiance::Over::point: return fmt::format("point ({:.6g}, {:.6g})", known.film[0], known.film[1]);
+        case KnownRadiance::Over::pixel: return fmt::format("pixel ({:.6g}, {:.6g})", known.film[0], known.film[1]);
+        case KnownRadiance::Over::film: return "film";
+        case KnownRadiance::Over::rectangle: break;
+    }
+    const FilmBox& box = known.box;
+    return fmt::format("{:.6g} x {:.6g} at ({:.6g}, {:.6g})", box.width, box.height, box.x, box.y);
+}
+
 std::vector<KnownValue> values_of(const KnownScene& scene, const PathLength& length, const std::string& file) {
     std::vector<KnownValue> values;
     std::vector<std::string> lengths;
     for (const KnownRadiance& known : scene.radiances) {
         if (std::ranges::find(lengths, text_of(known.edges)) == lengths.end()) lengths.push_back(text_of(known.edges));
         if (known.edges != length) continue;
-        const bool pixel = known.over == KnownRadiance::Over::pixel;
-        const auto centre = [&](double x) { return pixel ? std::floor(x) + 0.5 : x; };
-        values.push_back(
-            {.name = fmt::format("{} ({:.6g}, {:.6g})", pixel ? "pixel" : "point", known.film[0], known.film[1]),
-             .source = known.derivation,
-             .x = centre(known.film[0]),
-             .y = centre(known.film[1]),
-             .value = {known.value[0], known.value[1], known.value[2]},
-             .error = known.error});
+        KnownValue value{.name = name_of(known),
+                         .source = known.derivation,
+                         .x = known.film[0],
+                         .y = known.film[1],
+                         .value = {known.value[0], known.value[1], known.value[2]},
+                         .error = known.error};
+        if (known.over != KnownRadiance::Over::point) {
+            value.x = known.box.x + known.box.width / 2;
+            value.y = known.box.y + known.box.height / 2;
+            value.width = known.box.width;
+            value.height = known.box.height;
+        }
+        values.push_back(std::move(value));
     }
     if (values.empty())
         throw Error(fmt::format("{}: has no radiance by paths of {}; known are {}", file,

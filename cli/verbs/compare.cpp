@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 
 #include "cli/common_options.h"
@@ -14,6 +15,7 @@
 #include "reports/images/comparison.h"
 #include "reports/text/text.h"
 #include "scenes/shipped/shipped.h"
+#include "verification/pictures/flip.h"
 
 namespace plumb::cli::verbs {
 namespace {
@@ -51,6 +53,23 @@ void find_reference(std::vector<std::string>& files_b, const std::string& file_a
     if (said) require_same_scene(*said, identity, file_a);
     const auto longest = said ? longest_path_of(*said, file_a) : std::nullopt;
     files_b.front() = require_reference(cache, scene, longest).file.string();
+}
+
+// One image that does not tell its error is compared all the same, without a verdict.
+Picture picture_of_side(const std::vector<Image>& images, const std::vector<std::string>& files, bool exact) {
+    if (images.size() == 1 && !exact && !has_variance(images[0], files[0]))
+        return picture_without_error(images[0], files[0]);
+    return picture_of(images, files, exact);
+}
+
+void print_errors(const std::vector<ErrorMeasure>& errors) {
+    for (const ErrorMeasure& error : errors) {
+        fmt::print("{} {}", error.name, reports::readable(error.value));
+        if (std::isfinite(error.interval.low) || std::isfinite(error.interval.high))
+            fmt::print(" [{}, {}]", reports::readable(error.interval.low), reports::readable(error.interval.high));
+        fmt::print("  ");
+    }
+    fmt::print("\n");
 }
 
 void print_tiles(const ImageComparison& found) {
@@ -93,18 +112,17 @@ int compare(const Options& options) {
     all.insert(all.end(), images_b.begin(), images_b.end());
     names.insert(names.end(), files_b.begin(), files_b.end());
     require_independent(all, names);
-    const Picture a = picture_of(images_a, files_a), b = picture_of(images_b, files_b, options.exact_b);
-    const ImageComparison found = compare(a, b, options.settings);
+    const Picture a = picture_of_side(images_a, files_a, false),
+                  b = picture_of_side(images_b, files_b, options.exact_b);
+    ImageComparison found = compare(a, b, options.settings);
+    for (ErrorMeasure& error : flip_errors_of(a, b)) found.errors.push_back(std::move(error));
 
     const reports::ComparisonReport report{files_a, files_b, a, b, options.settings, found};
     if (!options.json.empty()) write_output(options.json, reports::comparison_json(report));
     if (!options.report.empty()) write_output(options.report, reports::comparison_html(report));
     fmt::print("{}: {}\n", to_string(found.verdict.outcome), found.verdict.reason);
     print_tiles(found);
-    for (const ErrorMeasure& error : found.errors)
-        fmt::print("{} {} [{}, {}]  ", error.name, reports::readable(error.value),
-                   reports::readable(error.interval.low), reports::readable(error.interval.high));
-    fmt::print("\n");
+    print_errors(found.errors);
     if (!options.report.empty()) fmt::print("report: {}\n", options.report);
     return exit_code(found.verdict.outcome);
 }

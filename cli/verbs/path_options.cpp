@@ -76,7 +76,7 @@ RenderMethod method_of(const PathOptions& options, const description::Scene& sce
 }
 
 RenderSettings settings_of(const PathOptions& options, std::uint64_t seed, FilmSize film) {
-    RenderSettings settings{.seed = seed, .crop = {0, 0, film.width, film.height}};
+    RenderSettings settings{.sampler = options.sampler, .seed = seed, .crop = {0, 0, film.width, film.height}};
     if (const std::vector<int>& crop = options.crop; !crop.empty())
         settings.crop = {crop[0], crop[1], crop[2], crop[3]};
     check_crop(settings.crop, film);

@@ -49,7 +49,10 @@ int render(const Options& options) {
     RenderSettings settings = settings_of(options, session.run.seed, scene.scene.sensor().film());
     if (options.end.time) settings.passes = 1u << 20;
     if (options.shard) settings = part_of(settings, options.shard->index, options.shard->count);
-    return render_picture({scene, method, settings, options.end, options.shard, out}, session);
+    const bool ends_itself = options.end.time || options.end.error;
+    return render_picture(
+        {scene, method, settings, options.end, options.shard, out, ends_itself ? 0 : options.samples_per_pixel},
+        session);
 }
 
 Action add(CLI::App& verb) {

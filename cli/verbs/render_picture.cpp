@@ -4,6 +4,7 @@
 
 #include "cli/verbs/picture_file.h"
 #include "integrators/drivers/render_until.h"
+#include "integrators/drivers/sampler.h"
 #include "integrators/references/scene_identity.h"
 #include "scenes/film/film_part.h"
 
@@ -20,6 +21,25 @@ void print_notes(const description::Scene& scene) {
     for (const description::Note& note : scene.notes)
         fmt::print("{}:{}: {} {}\n", note.place.file, note.place.line,
                    note.kind == description::Note::Kind::replaced ? "replaced:" : "not followed:", note.text);
+}
+
+// What a sampler makes sets of: its points are no better than independent ones where a pass has but one.
+void print_sets(const PictureTask& task) {
+    const PointSet<2>& sampler = find_sampler(task.method.sampler);
+    const RenderSettings& settings = task.settings;
+    const std::uint32_t points = settings.samples_per_pass, asked = task.samples_asked;
+    if (sampler.independent) return;
+    if (points == 1)
+        fmt::print("{}: {} of a pixel cannot be cut into passes of sets of points: they are independent\n", sampler.id,
+                   asked == 1 ? "1 sample" : fmt::format("{} samples", asked));
+    else if (asked > 0)
+        fmt::print("{}: {} passes of {} points a pixel{}\n", sampler.id, settings.passes, points,
+                   asked == settings.passes * points
+                       ? ""
+                       : fmt::format(" each, {} samples: {} cannot be cut into passes of sets",
+                                     settings.passes * points, asked));
+    else
+        fmt::print("{}: passes of {} points a pixel, independent of each other\n", sampler.id, points);
 }
 
 // What the picture is a function of.
@@ -138,6 +158,7 @@ void write_rendered(const PictureTask& task, const Rendered& rendered) {
 int render_picture(const PictureTask& task, Session& session) {
     const Scene& scene = task.scene.scene;
     print_notes(scene.description());
+    print_sets(task);
     const auto estimator = estimator_of(task.method);
     std::optional<RenderedUntil> done;
     Watch watch(task.end, session);

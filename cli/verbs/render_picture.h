@@ -27,6 +27,7 @@ struct PictureTask {
     RenderEnd end = {};
     std::optional<Shard> shard = {};  ///< of the passes, into a part of a film
     std::filesystem::path out;
+    std::uint32_t samples_asked = 0;  ///< of a pixel; 0: the end decides
 };
 
 /// Renders on the session's threads, writes the file and its side record, and says how it went. Returns the program's

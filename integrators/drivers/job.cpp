@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "integrators/drivers/pixels.h"
+#include "integrators/drivers/sampler.h"
 #include "integrators/drivers/splatting.h"
 
 namespace plumb {
@@ -34,6 +35,36 @@ int exponent_of_radiance(const RenderJob& job) {
     return size > 0 && std::isfinite(size) ? std::clamp(std::ilogb(size), -900, 900) : 0;
 }
 
+RenderSettings cut_near_16(RenderSettings settings, std::uint32_t samples) {
+    // Where two divisors are equally near to 16 by ratio, the one with more samples a pass is taken.
+    const auto distance = [](std::uint32_t passes) { return std::abs(std::log2(passes / 16.0)); };
+    settings.passes = 1;
+    for (std::uint32_t passes = 2; passes <= std::min(samples, 256u); ++passes)
+        if (samples % passes == 0 && distance(passes) < distance(settings.passes)) settings.passes = passes;
+    settings.samples_per_pass = samples / settings.passes;
+    return settings;
+}
+
+/// The least divisor from 2 on.
+std::uint32_t least_factor(std::uint32_t n) {
+    for (std::uint32_t i = 2; i * i <= n; ++i)
+        if (n % i == 0) return i;
+    return n;
+}
+
+bool is_prime(std::uint32_t n) {
+    return n > 1 && least_factor(n) == n;
+}
+
+/// Of a number that is no prime: as many passes as samples in each, or more passes, as nearly as can be.
+RenderSettings cut_evenly(RenderSettings settings, std::uint32_t samples) {
+    auto points = static_cast<std::uint32_t>(std::sqrt(samples));
+    while (samples % points != 0) --points;
+    settings.samples_per_pass = points;
+    settings.passes = samples / points;
+    return settings;
+}
+
 }  // namespace
 
 RenderJob job_of(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings) {
@@ -43,13 +74,10 @@ RenderJob job_of(const Scene& scene, const PathEstimator& estimator, const Rende
 
 RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_pixel) {
     if (samples_per_pixel < 1) throw Error("0 samples a pixel; accepted are 1 and more");
-    // Where two divisors are equally near to 16 by ratio, the one with more samples a pass is taken.
-    const auto distance = [](std::uint32_t passes) { return std::abs(std::log2(passes / 16.0)); };
-    settings.passes = 1;
-    for (std::uint32_t passes = 2; passes <= std::min(samples_per_pixel, 256u); ++passes)
-        if (samples_per_pixel % passes == 0 && distance(passes) < distance(settings.passes)) settings.passes = passes;
-    settings.samples_per_pass = samples_per_pixel / settings.passes;
-    return settings;
+    settings = cut_near_16(settings, samples_per_pixel);
+    const bool sets = !find_sampler(settings.sampler).independent;
+    if (!sets || settings.samples_per_pass > 1 || samples_per_pixel < 4) return settings;
+    return cut_evenly(settings, is_prime(samples_per_pixel) ? samples_per_pixel + 1 : samples_per_pixel);
 }
 
 RenderSettings part_of(RenderSettings settings, std::uint32_t i, std::uint32_t n) {

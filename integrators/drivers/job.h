@@ -36,7 +36,9 @@ struct RenderJob {
 RenderJob job_of(const Scene& scene, const PathEstimator& estimator, const RenderSettings& settings);
 
 /// The settings with so many samples a pixel, cut into passes whose number divides them and is as near to 16 as it can
-/// be.
+/// be. A sampler that makes sets of points over a pass is given passes of two points or more: where that rule gives
+/// passes of one, as many passes as points, as nearly as can be, of one sample more where the samples are a prime
+/// number. Of 1, 2 or 3 samples there are no passes of sets.
 RenderSettings with_samples(RenderSettings settings, std::uint32_t samples_per_pixel);
 
 /// Part i of n, counted from 1, which has every n-th pass. Throws Error where some part had none.

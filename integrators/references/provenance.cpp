@@ -1,6 +1,7 @@
 #include "integrators/references/provenance.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -117,7 +118,9 @@ std::map<std::string, std::string> metadata_of(const Provenance& p) {
 }
 
 std::map<std::string, std::string> metadata_of(const FilmError& error) {
-    return {{"plumb:error", fmt::format("{}", error.relative)}, {"plumb:rmse", fmt::format("{}", error.rmse)}};
+    return {{"plumb:error", fmt::format("{}", error.relative)},
+            {"plumb:rmse", fmt::format("{}", error.rmse)},
+            {"plumb:error_of_means", fmt::format("{}", fmt::join(error.of_means, " "))}};
 }
 
 std::optional<Provenance> provenance_of(const Image& image, const std::string& file) {

@@ -25,6 +25,7 @@ Json to(const MeanDifference& d) {
             {"z", number(d.z)},
             {"p_value", number(d.p_value)},
             {"delta", number(d.delta)},
+            {"more_samples", number(d.more_samples)},
             {"low", number(d.interval.low)},
             {"high", number(d.interval.high)}};
 }
@@ -76,6 +77,7 @@ Json document(const ComparisonReport& report) {
     for (const TileTest& tile : found.tiles) tiles.push_back(to(tile, found));
     return {{"outcome", to_string(found.verdict.outcome)},
             {"reason", found.verdict.reason},
+            {"error_known", found.error_known},
             {"a", side(report.files_a, report.a)},
             {"b", side(report.files_b, report.b)},
             {"width", report.a.width},
@@ -128,7 +130,8 @@ std::string floats(const std::vector<double>& values) {
     return base64(bytes);
 }
 
-// Standard deviations of a − b as the upper halves of floats: relative error below 2^-8, enough for a map.
+// Standard deviations of a − b, 0 where they are unknown, as the upper halves of floats: relative error below 2^-8,
+// enough for a map.
 std::string deviations(const Picture& a, const Picture& b) {
     std::vector<unsigned char> bytes(2 * a.variance.size());
     for (std::size_t i = 0; i < a.variance.size(); ++i) {

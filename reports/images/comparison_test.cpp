@@ -98,6 +98,18 @@ TEST_F(PageInBrowser, ComparesPictures) {
     EXPECT_EQ(page.saw("outlined"), "true");
 }
 
+/// The script clicks on views that are not there, and is stopped by that; what it saw before is the page.
+TEST_F(PageInBrowser, ShowsPicturesWhoseErrorIsUnknownWithoutTests) {
+    Sample sample;
+    sample.b.error_known = false;
+    sample.found = compare(sample.a, sample.b);
+    const Browsed page = browse(comparison_html(sample.report()), "try_comparison.js", 1280);
+    EXPECT_EQ(page.saw("badge"), "? undecided");
+    EXPECT_EQ(page.saw("sections"), "verdict pictures channels errors");
+    EXPECT_EQ(page.saw("overflow"), "0");
+    EXPECT_EQ(page.saw("wrong-numbers"), "false");
+}
+
 TEST_F(PageInBrowser, ComparesPicturesOnAPhoneInTheDark) {
     const Browsed page =
         browse(comparison_html(Sample().report()), "try_comparison.js", 360, "--blink-settings=preferredColorScheme=0");

@@ -1,5 +1,7 @@
 #include "reports/images/known_values.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "reports/text/json_values.h"
@@ -15,16 +17,39 @@ std::string words(TileState state) {
     return state == TileState::differs ? "refuted" : "undecided: " + to_string(state);
 }
 
+Outcome outcome_of(TileState state) {
+    if (state == TileState::same) return Outcome::holds;
+    return state == TileState::differs ? Outcome::refuted : Outcome::undecided;
+}
+
+Json to(const CheckedTogether& together, const ValuesReport& report) {
+    const MeanDifference& found = together.found;
+    return {{"channel", report.picture.channels[together.channel]},
+            {"values", together.values},
+            {"outcome", to_string(outcome_of(together.state))},
+            {"state", to_string(together.state)},
+            {"found", number(found.a)},
+            {"known", number(found.b)},
+            {"standard_error", number(found.standard_error)},
+            {"degrees", number(found.degrees)},
+            {"skewness", number(found.skewness)},
+            {"p_value", number(found.p_value)},
+            {"delta", number(found.delta)},
+            {"more_samples", number(found.more_samples)},
+            {"low", number(found.interval.low)},
+            {"high", number(found.interval.high)}};
+}
+
 Json to(const CheckedValue& value, const ValuesReport& report) {
     const KnownValue& known = report.known[value.known];
     const MeanDifference& found = value.found;
     return {{"name", known.name},
             {"x", known.x},
             {"y", known.y},
+            {"width", known.width},
+            {"height", known.height},
             {"channel", report.picture.channels[value.channel]},
-            {"outcome", to_string(value.state == TileState::same      ? Outcome::holds
-                                  : value.state == TileState::differs ? Outcome::refuted
-                                                                      : Outcome::undecided)},
+            {"outcome", to_string(outcome_of(value.state))},
             {"state", to_string(value.state)},
             {"found", number(found.a)},
             {"known", number(known.value[value.channel])},
@@ -34,6 +59,7 @@ Json to(const CheckedValue& value, const ValuesReport& report) {
             {"skewness", number(found.skewness)},
             {"p_value", number(found.p_value)},
             {"delta", number(found.delta)},
+            {"more_samples", number(found.more_samples)},
             {"low", number(found.interval.low)},
             {"high", number(found.interval.high)},
             {"source", known.source}};
@@ -44,13 +70,16 @@ Json to(const CheckedValue& value, const ValuesReport& report) {
 std::string values_json(const ValuesReport& report) {
     Json values = Json::array();
     for (const CheckedValue& value : report.check.values) values.push_back(to(value, report));
+    Json together = Json::array();
+    for (const CheckedTogether& test : report.check.together) together.push_back(to(test, report));
     const CheckSettings& s = report.settings;
     const Json json = {{"outcome", to_string(report.check.verdict.outcome)},
                        {"reason", report.check.verdict.reason},
                        {"files", report.files},
                        {"expected", report.expected},
                        {"settings", {{"alpha", s.alpha}, {"beta", s.beta}, {"delta", s.delta}}},
-                       {"values", std::move(values)}};
+                       {"values", std::move(values)},
+                       {"together", std::move(together)}};
     return json.dump(2) + "\n";
 }
 
@@ -63,6 +92,12 @@ std::string values_table(const ValuesReport& report, const TableStyle& style) {
         rows.push_back({report.known[value.known].name, report.picture.channels[value.channel], readable(found.a),
                         readable(found.standard_error), readable(known), readable(known == 0 ? NAN : off),
                         words(value.state)});
+    }
+    for (const CheckedTogether& together : report.check.together) {
+        const MeanDifference& found = together.found;
+        rows.push_back({fmt::format("all {} together", together.values), report.picture.channels[together.channel],
+                        readable(found.a), readable(found.standard_error), readable(found.b),
+                        readable(100 * found.difference), words(together.state)});
     }
     return table({{"known at"},
                   {"channel"},

@@ -159,8 +159,8 @@ Film::Film(FilmSize size, std::vector<FilmLayer> layers)
     : size_(size),
       layers_(std::move(layers)),
       channels_(channels_of(layers_)),
-      sums_(area(size) * channels_),
-      squares_(area(size) * layers_[0].channels.size()),
+      sums_((area(size) + 1) * channels_),
+      squares_((area(size) + 1) * layers_[0].channels.size()),
       samples_(area(size)) {}
 
 std::size_t Film::pixel(int x, int y) const {
@@ -173,10 +173,17 @@ std::size_t Film::square_of(std::size_t pixel, std::size_t channel) const {
 void Film::add(const FilmPass& pass) {
     require_same_shape(size_, pass.size());
     require_same_layers(layers_, pass.layers());
+    std::vector<double> totals(channels_);
     for (std::size_t pixel = 0; pixel < samples_.size(); ++pixel) {
         samples_[pixel] += pass.samples_[pixel];
-        for (std::size_t c = 0; c < channels_; ++c) add_mean(pixel, c, pass.mean_at(pixel, c));
+        for (std::size_t c = 0; c < channels_; ++c) {
+            const double mean = pass.mean_at(pixel, c);
+            add_mean(pixel, c, mean);
+            totals[c] += mean;
+        }
     }
+    const auto pixels = static_cast<double>(samples_.size());
+    for (std::size_t c = 0; c < channels_; ++c) add_mean(samples_.size(), c, totals[c] / pixels);
     ++replicates_;
     bad_.merge(pass.bad_values());
 }
@@ -219,12 +226,20 @@ double Film::mean(int x, int y, std::size_t channel) const {
 }
 
 double Film::variance_of_mean(int x, int y, std::size_t channel) const {
+    return variance_at(pixel(x, y), channel);
+}
+
+double Film::variance_of_picture_mean(std::size_t channel) const {
+    return variance_at(samples_.size(), channel);
+}
+
+double Film::variance_at(std::size_t pixel, std::size_t channel) const {
     if (channel >= layers_[0].channels.size())
         throw Error(fmt::format("the variance of channel {}; accepted are the {} of layer '{}'", channel,
                                 layers_[0].channels.size(), layers_[0].name));
     if (replicates_ < 2) return std::numeric_limits<double>::infinity();
-    const double n = static_cast<double>(replicates_), m = mean_at(pixel(x, y), channel);
-    const std::size_t number = square_of(pixel(x, y), channel);
+    const double n = static_cast<double>(replicates_), m = mean_at(pixel, channel);
+    const std::size_t number = square_of(pixel, channel);
     const double square = wide_squares_.total(number, squares_[number]) / n, centred = square - m * m;
     if (!std::isfinite(centred)) return std::numeric_limits<double>::infinity();
     // What rounding leaves of a constant is no variance: of each mean and each square when it was added, and of both

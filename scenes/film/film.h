@@ -85,6 +85,9 @@ public:
     [[nodiscard]] double mean(int x, int y, std::size_t channel) const;
     /// The variance of the mean of a channel of the first layer; infinite for fewer than two replicates.
     [[nodiscard]] double variance_of_mean(int x, int y, std::size_t channel) const;
+    /// The variance of the mean over all pixels of a channel of the first layer, by the replicates' own such means:
+    /// right whatever the errors of pixels have in common. Infinite for fewer than two replicates.
+    [[nodiscard]] double variance_of_picture_mean(std::size_t channel) const;
     [[nodiscard]] const BadValues& bad_values() const { return bad_; }
     [[nodiscard]] FilmSize size() const { return size_; }
     [[nodiscard]] const std::vector<FilmLayer>& layers() const { return layers_; }
@@ -99,11 +102,12 @@ private:
     void add_mean(std::size_t pixel, std::size_t channel, double mean);
     [[nodiscard]] std::size_t square_of(std::size_t pixel, std::size_t channel) const;
     [[nodiscard]] double mean_at(std::size_t pixel, std::size_t channel) const;  // in units of its layer
+    [[nodiscard]] double variance_at(std::size_t pixel, std::size_t channel) const;
 
     FilmSize size_;
     std::vector<FilmLayer> layers_;
     std::size_t channels_;
-    std::vector<ExactSum> sums_;
+    std::vector<ExactSum> sums_;  // pixel by pixel, channel by channel; after the last pixel the means over all
     std::vector<ExactSumOfSquares> squares_;  // of the first layer
     WideSums wide_sums_, wide_squares_;       // of large values, by the same numbers
     std::vector<std::uint64_t> samples_;

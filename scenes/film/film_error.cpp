@@ -7,8 +7,8 @@ namespace plumb {
 
 FilmError error_of(const Film& film) {
     constexpr double unknown = std::numeric_limits<double>::infinity();
-    if (film.replicates() < 2) return {unknown, unknown};
     const std::size_t channels = film.layers().front().channels.size();
+    if (film.replicates() < 2) return {unknown, unknown, std::vector<double>(channels, unknown)};
     double variance = 0, square = 0, count = 0;
     for (int y = 0; y < film.size().height; ++y)
         for (int x = 0; x < film.size().width; ++x)
@@ -19,6 +19,7 @@ FilmError error_of(const Film& film) {
                 ++count;
             }
     FilmError error{std::sqrt(variance / count), 0};
+    for (std::size_t c = 0; c < channels; ++c) error.of_means.push_back(std::sqrt(film.variance_of_picture_mean(c)));
     if (variance > 0) error.relative = square > 0 ? std::sqrt(variance / square) : unknown;
     return error;
 }

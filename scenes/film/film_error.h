@@ -10,6 +10,7 @@ struct FilmError {
     double rmse = 0;  ///< √⟨v⟩
     double relative =
         0;  ///< √(⟨v⟩ / ⟨m² − v⟩): E(m² − v) is the squared truth; infinite where nothing is seen but noise
+    std::vector<double> of_means = {};  ///< channel by channel, the standard error of the mean over all pixels
 };
 
 /// The error of the film: the roots of the MSE and the relMSE that `plumb compare` expects to find against the truth.

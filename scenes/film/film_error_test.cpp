@@ -33,6 +33,26 @@ TEST(FilmError, OfThreeReplicates) {
     EXPECT_NEAR(error_of(film).relative, std::sqrt(v / (squares - v)), 1e-12);
 }
 
+/// Whatever pixels have in common: here errors that cancel in red, and that are the same in green.
+TEST(FilmError, OfMeansIsThatOfTheReplicatesMeans) {
+    Film film({2, 1}, layers), other({2, 1}, layers), merged({2, 1}, layers);
+    EXPECT_EQ(error_of(film).of_means, std::vector<double>(3, std::numeric_limits<double>::infinity()));
+    for (const double e : {-3.0, 0.0, 3.0}) {
+        const FilmPass pass = pass_of({Spectrum::rgb(8 + e, 8 + e, 5), Spectrum::rgb(8 - e, 8 + e, 5)});
+        film.add(pass);
+        (e < 0 ? merged : other).add(pass);
+    }
+    merged.merge(other);
+    for (const Film& of : {film, merged}) {
+        const std::vector<double> errors = error_of(of).of_means;
+        ASSERT_EQ(errors.size(), 3U);
+        EXPECT_EQ(errors[0], 0);
+        EXPECT_NEAR(errors[1], std::sqrt(9.0 / 3), 1e-12);
+        EXPECT_EQ(errors[2], 0);
+    }
+    EXPECT_EQ(film.variance_of_picture_mean(1), merged.variance_of_picture_mean(1));
+}
+
 TEST(FilmError, WithoutNoiseOrWithoutAnythingElse) {
     Film black({1, 1}, layers), noise({1, 1}, layers);
     for (const double value : {-1.0, 1.0}) {

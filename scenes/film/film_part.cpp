@@ -13,7 +13,7 @@ namespace plumb {
 
 namespace {
 
-constexpr std::string_view magic = "PLUMBFILM3\n";
+constexpr std::string_view magic = "PLUMBFILM4\n";
 
 template <class T>
 concept Plain = std::is_trivially_copyable_v<T>;

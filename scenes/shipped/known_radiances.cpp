@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -67,16 +68,55 @@ void check_list(const Field& field, std::size_t size) {
 
 constexpr double largest = 1e30;
 
+KnownRadiance::Over over(const Field& field) {
+    using enum KnownRadiance::Over;
+    const std::map<std::string, KnownRadiance::Over> names{
+        {"point", point}, {"pixel", pixel}, {"rectangle", rectangle}, {"film", film}};
+    const auto found = names.find(text(field));
+    if (found == names.end()) throw field.expected(R"("point", "pixel", "rectangle" or "film")");
+    return found->second;
+}
+
+Point<2> film_point(const Field& field, FilmSize size) {
+    check_list(field, 2);
+    return {number_between(field.at(std::size_t{0}), 0, size.width),
+            number_between(field.at(std::size_t{1}), 0, size.height)};
+}
+
+FilmBox box_of(const Field& field, FilmSize size) {
+    check_list(field, 4);
+    const auto number = [&](std::size_t i, double low, double high) { return number_between(field.at(i), low, high); };
+    FilmBox box{number(0, 0, size.width), number(1, 0, size.height)};
+    box.width = number(2, 0, size.width - box.x);
+    box.height = number(3, 0, size.height - box.y);
+    if (!(box.width > 0 && box.height > 0)) throw field.expected("a rectangle of some size");
+    return box;
+}
+
+/// Where a radiance is known.
+void find_place(KnownRadiance& known, const Field& field, FilmSize size) {
+    using enum KnownRadiance::Over;
+    known.over = over(field.at("over"));
+    if (known.over == rectangle) {
+        if (field.json.contains("film")) throw field.at("film").error("a rectangle lies where 'rectangle' says");
+        known.box = box_of(field.at("rectangle"), size);
+    } else if (field.json.contains("rectangle")) {
+        throw field.at("rectangle").error("is only for what is known over a \"rectangle\"");
+    }
+    if (known.over == film) known.box = {0, 0, static_cast<double>(size.width), static_cast<double>(size.height)};
+    const bool has_point = known.over == point || known.over == pixel || field.json.contains("film");
+    known.film = has_point ? film_point(field.at("film"), size)
+                           : Point<2>{known.box.x + known.box.width / 2, known.box.y + known.box.height / 2};
+    if (known.over == pixel)
+        known.box = {std::fmin(std::floor(known.film[0]), size.width - 1),
+                     std::fmin(std::floor(known.film[1]), size.height - 1), 1, 1};
+}
+
 KnownRadiance radiance(const Field& field, FilmSize size) {
-    check_keys(field, {"film", "over", "edges", "value", "error", "derivation"});
+    check_keys(field, {"film", "over", "rectangle", "edges", "value", "error", "derivation"});
     KnownRadiance known;
-    const Field film = field.at("film"), value = field.at("value"), edges = field.at("edges");
-    check_list(film, 2);
-    known.film = {number_between(film.at(std::size_t{0}), 0, size.width),
-                  number_between(film.at(std::size_t{1}), 0, size.height)};
-    const std::string over = text(field.at("over"));
-    if (over != "point" && over != "pixel") throw field.at("over").expected("\"point\" or \"pixel\"");
-    known.over = over == "point" ? KnownRadiance::Over::point : KnownRadiance::Over::pixel;
+    find_place(known, field, size);
+    const Field value = field.at("value"), edges = field.at("edges");
     if (!edges.json.is_null()) known.edges = whole_number(edges, 1, 1'000'000);
     check_list(value, 3);
     for (std::size_t i = 0; i < 3; ++i) known.value[i] = number_between(value.at(i), 0, largest);

@@ -186,6 +186,22 @@ TEST_F(KnownRadianceFiles, AreRead) {
     EXPECT_EQ(known.error, 1e-9);
 }
 
+TEST_F(KnownRadianceFiles, MaySpeakOfParts) {
+    const auto box = [&](const std::string& place) {
+        const KnownScene scene = known_radiances(
+            write("e.json", R"({"question": "?", "film": [4, 3], "radiances": [{)" + place +
+                                R"(, "edges": 1, "value": [1, 1, 1], "error": 0, "derivation": ""}]})"));
+        const FilmBox found = scene.radiances.at(0).box;
+        return std::vector{found.x, found.y, found.width, found.height};
+    };
+    EXPECT_EQ(box(R"("over": "film")"), (std::vector<double>{0, 0, 4, 3}));
+    EXPECT_EQ(box(R"("over": "film", "film": [1, 1])"), (std::vector<double>{0, 0, 4, 3}));
+    EXPECT_EQ(box(R"("over": "rectangle", "rectangle": [1.5, 0, 2, 2.5])"), (std::vector<double>{1.5, 0, 2, 2.5}));
+    EXPECT_EQ(box(R"("over": "pixel", "film": [2.5, 1])"), (std::vector<double>{2, 1, 1, 1}));
+    EXPECT_EQ(box(R"("over": "pixel", "film": [4, 3])"), (std::vector<double>{3, 2, 1, 1}));
+    EXPECT_EQ(box(R"("over": "point", "film": [2.5, 1])"), (std::vector<double>{0, 0, 0, 0}));
+}
+
 TEST_F(KnownRadianceFiles, ThatAreWrongGetOneLine) {
     EXPECT_EQ(says("{\n]"), "e.json:2: malformed JSON");
     EXPECT_EQ(says("[]"), "e.json: [] where an object is expected");
@@ -201,11 +217,22 @@ TEST_F(KnownRadianceFiles, ThatAreWrongGetOneLine) {
     EXPECT_EQ(says_of(R"({"film": [5, 1], "over": "point", "edges": 1)" + rest),
               "e.json: radiances[0].film[0]: 5 where a number from 0 to 4 is expected");
     EXPECT_EQ(says_of(R"({"film": [1, 1], "over": "all", "edges": 1)" + rest),
-              "e.json: radiances[0].over: \"all\" where \"point\" or \"pixel\" is expected");
+              "e.json: radiances[0].over: \"all\" where \"point\", \"pixel\", \"rectangle\" or \"film\" is expected");
     EXPECT_EQ(says_of(R"({"film": [1, 1], "over": "point", "edges": 1.5)" + rest),
               "e.json: radiances[0].edges: 1.5 where a whole number is expected");
     EXPECT_EQ(says_of(R"({"film": [1, 1], "over": "point", "edges": 1, "value": [1], "error": 0, "derivation": ""})"),
               "e.json: radiances[0].value: [1] where a list of 3 is expected");
+    const std::string whole = R"(, "edges": 1)" + rest;
+    EXPECT_EQ(says_of(R"({"over": "point")" + whole), "e.json: radiances[0]: 'film' is missing");
+    EXPECT_EQ(says_of(R"({"over": "rectangle")" + whole), "e.json: radiances[0]: 'rectangle' is missing");
+    EXPECT_EQ(says_of(R"({"over": "rectangle", "rectangle": [1, 1, 4, 1])" + whole),
+              "e.json: radiances[0].rectangle[2]: 4 where a number from 0 to 3 is expected");
+    EXPECT_EQ(says_of(R"({"over": "rectangle", "rectangle": [1, 1, 0, 1])" + whole),
+              "e.json: radiances[0].rectangle: [1,1,0,1] where a rectangle of some size is expected");
+    EXPECT_EQ(says_of(R"({"over": "rectangle", "rectangle": [1, 1, 1, 1], "film": [1, 1])" + whole),
+              "e.json: radiances[0].film: a rectangle lies where 'rectangle' says");
+    EXPECT_EQ(says_of(R"({"over": "film", "rectangle": [1, 1, 1, 1])" + whole),
+              "e.json: radiances[0].rectangle: is only for what is known over a \"rectangle\"");
     EXPECT_EQ(message([&] { return known_radiances(path_ / "none.json"); }).find("none.json"), 0u);
 }
 

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "verification/pictures/samples_needed.h"
 
 namespace plumb {
 namespace {
@@ -50,7 +53,7 @@ std::string refutation(const ImageComparison& found, const ComparisonSettings& s
     return text;
 }
 
-std::string doubt(const ImageComparison& found) {
+std::string doubt(const ImageComparison& found, const Picture& a, const Picture& b) {
     std::string text;
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
     if (found.bad_a + found.bad_b > 0)
@@ -64,6 +67,13 @@ std::string doubt(const ImageComparison& found) {
         add(fmt::format("{} of {} tile means are not decided, least of all {} ({})", found.undecided.size(),
                         found.tiles.size(), place(found, worst), to_string(worst.state)));
     }
+    SamplesNeeded needed;
+    for (const ChannelTest& channel : found.channels) needed.add(channel.mean, channel.state);
+    for (const std::size_t tile : found.undecided) needed.add(found.tiles[tile].found, found.tiles[tile].state);
+    std::vector<const Picture*> sides;
+    for (const Picture* side : {&a, &b})
+        if (!std::isinf(side->degrees)) sides.push_back(side);
+    if (const std::string more = words_of(needed, sides); !more.empty()) add(more);
     return text;
 }
 
@@ -81,12 +91,28 @@ std::string to_string(TileState state) {
         case TileState::heavy_tails: return "heavy tails";
         case TileState::no_variance: return "one side shows no variance";
         case TileState::poorly_known: return "its known value is less certain than delta";
+        case TileState::error_unknown: return "its error is unknown";
         case TileState::no_pixels: return "no finite pixels";
     }
     return "";
 }
 
-Verdict verdict_of(const ImageComparison& found, const ComparisonSettings& settings) {
+Verdict no_verdict(const ImageComparison& found, const Picture& a, const Picture& b) {
+    const bool both = !a.error_known && !b.error_known;
+    const char *side = a.error_known ? "b" : "a", *option = a.error_known ? "--b" : "--a";
+    Verdict verdict;
+    verdict.resolution = std::numeric_limits<double>::infinity();
+    verdict.reason = fmt::format(
+        "no verdict, because the error of {} is unknown: {} one image without layers variance.{} …; two or more "
+        "independent renders of {} ({}), or images with such layers, would tell it{}",
+        both ? "a and b" : side, both ? "each is" : "it is", a.channels[0], both ? "each" : "it",
+        both ? "--a, --b" : option, b.error_known ? "" : ", and --exact-b says that b has none");
+    if (!found.copies.empty()) verdict.reason = found.copies + ": " + verdict.reason;
+    return verdict;
+}
+
+Verdict verdict_of(const ImageComparison& found, const Picture& a, const Picture& b,
+                   const ComparisonSettings& settings) {
     Verdict verdict;
     for (const TileTest& tile : found.tiles) {
         if (tile.channel == 0) verdict.samples += tile.pixels;
@@ -102,10 +128,12 @@ Verdict verdict_of(const ImageComparison& found, const ComparisonSettings& setti
     verdict.reason = refutation(found, settings);
     verdict.outcome = Outcome::refuted;
     if (verdict.reason.empty()) {
-        verdict.reason = doubt(found);
+        verdict.reason = doubt(found, a, b);
         verdict.outcome = Outcome::undecided;
     }
-    if (!found.copies.empty() && !verdict.reason.empty()) verdict.reason = found.copies + ": " + verdict.reason;
+    const bool noisy = std::ranges::any_of(found.channels, [](const auto& c) { return c.mean.standard_error > 0; });
+    if (!found.copies.empty() && (noisy || !verdict.reason.empty()))
+        verdict.reason = found.copies + (verdict.reason.empty() ? "" : ": " + verdict.reason);
     if (verdict.reason.empty()) {
         verdict.outcome = Outcome::holds;
         verdict.reason = fmt::format("every channel's mean is equal within {:.3g} %, every tile's within {:.3g} %",

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
 
 #include "core/error.h"
 #include "core/moments.h"
@@ -12,6 +12,7 @@
 #include "verification/evidence/f_distribution.h"
 #include "verification/pictures/comparison_verdict.h"
 #include "verification/pictures/picture_copies.h"
+#include "verification/pictures/samples_needed.h"
 
 namespace plumb {
 namespace {
@@ -78,6 +79,11 @@ TileState state_of(const DifferenceSums& sums, const MeanDifference& found, cons
     return skewed ? TileState::heavy_tails : TileState::too_noisy;
 }
 
+void forecast(MeanDifference& found, TileState state, const DifferenceRules& rules, double level) {
+    if (state == TileState::too_noisy || state == TileState::heavy_tails)
+        found.more_samples = more_samples(found, rules.epsilon, level, rules.beta);
+}
+
 TileTest tile_test(const Grid& grid, int column, int row, std::size_t channel, DifferenceRules rules, double level) {
     const std::size_t tile = grid.tiles.index(column, row);
     const DifferenceSums& sums = grid.at(tile, channel);
@@ -87,6 +93,7 @@ TileTest tile_test(const Grid& grid, int column, int row, std::size_t channel, D
     rules.inflation = grid.inflations.tiles[tile];
     test.found = difference_of(sums, grid.around(column, row, channel), rules);
     test.state = state_of(sums, test.found, rules, level);
+    forecast(test.found, test.state, rules, level);
     return test;
 }
 
@@ -162,6 +169,7 @@ ChannelTest channel_test(const Grid& grid, std::size_t channel, DifferenceRules 
     test.mean = difference_of(all, all, rules);
     test.state = state_of(all, test.mean, rules, level);
     if (test.state != TileState::no_variance && test.mean.p_value < level) test.state = TileState::differs;
+    forecast(test.mean, test.state, rules, level);
     return test;
 }
 
@@ -176,10 +184,33 @@ double inflation_of(const Grid& grid) {
     return independent > 0 ? inflated / independent : 1;
 }
 
+/// What can be said of two pictures without knowing their errors.
+ImageComparison described(const Picture& a, const Picture& b, const ComparisonSettings& settings) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    ImageComparison found{.bad_a = a.bad_pixels, .bad_b = b.bad_pixels, .error_known = false};
+    for (std::size_t c = 0; c < a.channels.size(); ++c) {
+        const DifferenceSums sums = sums_of(a, b, {0, 0, a.width, a.height}, c);
+        const auto n = static_cast<double>(sums.pixels);
+        ChannelTest test{.channel = a.channels[c], .state = TileState::error_unknown};
+        test.mean = {.a = sums.a / n, .b = sums.b / n, .difference = (sums.a - sums.b) / n, .standard_error = unknown};
+        test.mean.delta = settings.delta * std::abs(test.mean.b);
+        test.mean.degrees = test.mean.skewness = test.mean.z = test.mean.p_value = unknown;
+        test.mean.interval = {unknown, unknown};
+        test.chi_square = test.upper_p = test.lower_p = unknown;
+        found.channels.push_back(test);
+    }
+    found.alike = found.unlike = {unknown, unknown};
+    found.errors = errors_of(a, b, unknown);
+    found.copies = copies_of(a, b);
+    found.verdict = no_verdict(found, a, b);
+    return found;
+}
+
 }  // namespace
 
 ImageComparison compare(const Picture& a, const Picture& b, const ComparisonSettings& settings) {
     require_alike(a, b);
+    if (!a.error_known || !b.error_known) return described(a, b, settings);
     ImageComparison found{.bad_a = a.bad_pixels, .bad_b = b.bad_pixels};
     found.correlation = correlation_of(a, b);
     const Grid grid = summed(a, b, tile_edge(a, settings.tile, found.correlation), found.correlation);
@@ -222,7 +253,7 @@ ImageComparison compare(const Picture& a, const Picture& b, const ComparisonSett
     });
     found.errors = errors_of(a, b, inflation);
     found.copies = copies_of(a, b);
-    found.verdict = verdict_of(found, settings);
+    found.verdict = verdict_of(found, a, b, settings);
     return found;
 }
 

@@ -26,7 +26,7 @@ struct ComparisonSettings {
 };
 
 /// The state of a tile: whether both pictures agree there, or why that is not known.
-enum class TileState { same, differs, too_noisy, heavy_tails, no_variance, no_pixels, poorly_known };
+enum class TileState { same, differs, too_noisy, heavy_tails, no_variance, no_pixels, poorly_known, error_unknown };
 std::string to_string(TileState state);
 
 /// The test of one tile in one channel.
@@ -61,9 +61,11 @@ struct ImageComparison {
     std::string copies = {};  ///< how one is a copy of the other, in words; empty: it is none
     std::vector<ErrorMeasure> errors = {};
     std::uint64_t bad_a = 0, bad_b = 0;  ///< pixels that are not finite: they count nowhere
+    bool error_known = true;             ///< of both pictures; else there are means and errors, but no tests
 };
 
-/// Compares two estimates of a picture: whether it is the same. Throws Error where sizes or channels differ.
+/// Compares two estimates of a picture: whether it is the same. Where the error of one is unknown there is no verdict,
+/// and the outcome is undecided. Throws Error where sizes or channels differ.
 ImageComparison compare(const Picture& a, const Picture& b, const ComparisonSettings& settings = {});
 
 }  // namespace plumb

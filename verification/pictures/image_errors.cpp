@@ -24,7 +24,7 @@ struct Terms {
 };
 
 double root(double x) {
-    return std::sqrt(std::max(0.0, x));
+    return x < 0 ? 0 : std::sqrt(x);
 }
 
 double mean_of_finite(const Picture& a, const Picture& b) {

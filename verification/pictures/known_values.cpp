@@ -1,88 +1,17 @@
 #include "verification/pictures/known_values.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/moments.h"
 #include "verification/evidence/distributions.h"
+#include "verification/pictures/known_values_verdict.h"
+#include "verification/pictures/samples_needed.h"
+#include "verification/pictures/weighted_pixels.h"
 
 namespace plumb {
 namespace {
-
-/// A pixel and the part of the square that it covers.
-struct Covered {
-    int x, y;
-    double share;
-};
-
-std::vector<Covered> pixels_under(const Picture& picture, const KnownValue& known) {
-    const double left = std::clamp(known.x - 0.5, 0.0, picture.width - 1.0),
-                 top = std::clamp(known.y - 0.5, 0.0, picture.height - 1.0);
-    const int i = static_cast<int>(std::floor(left)), j = static_cast<int>(std::floor(top));
-    std::vector<Covered> covered;
-    for (int y = j; y <= j + 1; ++y)
-        for (int x = i; x <= i + 1; ++x) {
-            const double share = (1 - std::abs(x - left)) * (1 - std::abs(y - top));
-            if (share > 0) covered.push_back({x, y, share});
-        }
-    return covered;
-}
-
-/// One weighted mean, as sums over a single pixel. No third cumulant: a few pixels tell too little of it.
-DifferenceSums sums_under(const Picture& picture, const std::vector<Covered>& covered, std::size_t channel,
-                          double value) {
-    DifferenceSums sums{.pixels = 1, .b = value};
-    for (const auto& [x, y, share] : covered) {
-        const std::size_t k = picture.at(x, y, channel);
-        if (!std::isfinite(picture.mean[k])) return {};
-        const double variance = share * share * (picture.variance[k] + picture.variance_rounding);
-        sums.a += share * picture.mean[k];
-        sums.variance_a += variance;
-        sums.rounding += share * picture.rounding_at(k);
-        sums.square_a += std::isinf(picture.degrees) ? 0 : variance * variance / (picture.degrees + 2);
-    }
-    return sums;
-}
-
-// The mean of a pixel's neighbours, up to eight that are finite; NaN without any, and where the pixel is four standard
-// errors away: that is an edge in the picture, no noise.
-double neighbours(const Picture& part, int x, int y) {
-    Moments moments;
-    for (int v = std::max(0, y - 1); v <= std::min(part.height - 1, y + 1); ++v)
-        for (int u = std::max(0, x - 1); u <= std::min(part.width - 1, x + 1); ++u)
-            if ((u != x || v != y) && std::isfinite(part.mean[part.at(u, v, 0)]))
-                moments.add(part.mean[part.at(u, v, 0)]);
-    const std::size_t k = part.at(x, y, 0);
-    const bool edge = std::abs(part.mean[k] - moments.mean()) > 4 * std::sqrt(part.variance[k]);
-    return edge ? std::numeric_limits<double>::quiet_NaN() : moments.mean();
-}
-
-/// The sums of 17 x 17 pixels about the square, whose skewness is taken for the square's own. Each pixel is compared
-/// with the mean of its neighbours, and sums_of() takes off what its neighbours differ by from theirs: a picture that
-/// is quadratic in x and y leaves nothing but noise.
-DifferenceSums sums_around(const Picture& picture, const Covered& centre, std::size_t channel) {
-    constexpr int reach = 8;
-    const int left = std::max(0, centre.x - reach), top = std::max(0, centre.y - reach);
-    const PixelBox box{left, top, std::min(picture.width, centre.x + reach + 1) - left,
-                       std::min(picture.height, centre.y + reach + 1) - top};
-    Picture part{.width = box.width, .height = box.height, .channels = {picture.channels[channel]}};
-    part.degrees = picture.degrees;
-    for (int y = box.y; y < box.y + box.height; ++y)
-        for (int x = box.x; x < box.x + box.width; ++x) {
-            part.mean.push_back(picture.mean[picture.at(x, y, channel)]);
-            part.variance.push_back(picture.variance[picture.at(x, y, channel)]);
-        }
-    Picture smooth = part;
-    std::ranges::fill(smooth.variance, 0);
-    for (int y = 0; y < box.height; ++y)
-        for (int x = 0; x < box.width; ++x) smooth.mean[smooth.at(x, y, 0)] = neighbours(part, x, y);
-    const auto edge = [](int length) { return std::min(1, (length - 1) / 2); };
-    const int dx = edge(box.width), dy = edge(box.height);
-    return sums_of(part, smooth, {dx, dy, box.width - 2 * dx, box.height - 2 * dy}, 0);
-}
 
 std::vector<double> means_of(const Picture& picture) {
     std::vector<Moments> moments(picture.channels.size());
@@ -102,15 +31,17 @@ double scale_of(const KnownValue& known, std::size_t channel, const std::vector<
     return largest > 0 ? largest : means[channel];
 }
 
-// A pixel whose samples were all alike may have paths that none of them found: it is believed where the value is right,
-// and where it is wrong only if it is not black and its neighbours have no noise either.
-bool is_believed(const Picture& picture, const Covered& centre, std::size_t channel, const MeanDifference& found) {
+// Pixels whose samples were all alike may have paths that none of them found: they are believed where the value is
+// right, and where it is wrong only if it is not black and its neighbours have no noise either.
+bool is_believed(const Picture& picture, const WeightedPixels& pixels, std::size_t channel,
+                 const MeanDifference& found) {
     if (found.standard_error > 0 || std::isinf(picture.degrees)) return true;
     if (picture.degrees < 3) return false;
     if (found.p_value == 1) return true;
-    for (int v = std::max(0, centre.y - 1); v <= std::min(picture.height - 1, centre.y + 1); ++v)
-        for (int u = std::max(0, centre.x - 1); u <= std::min(picture.width - 1, centre.x + 1); ++u)
-            if (picture.variance[picture.at(u, v, channel)] > 0) return false;
+    for (const PixelWeight& pixel : pixels)
+        for (int v = std::max(0, pixel.y - 1); v <= std::min(picture.height - 1, pixel.y + 1); ++v)
+            for (int u = std::max(0, pixel.x - 1); u <= std::min(picture.width - 1, pixel.x + 1); ++u)
+                if (picture.variance[picture.at(u, v, channel)] > 0) return false;
     return found.a != 0;
 }
 
@@ -119,6 +50,113 @@ TileState state_of(const MeanDifference& found, double beta) {
     if (found.interval.inside({-found.delta, found.delta}) && trusted) return TileState::same;
     return trusted ? TileState::too_noisy : TileState::heavy_tails;
 }
+
+PixelBox box_of(const WeightedPixels& pixels) {
+    const auto &first = pixels.front(), &last = pixels.back();
+    return {first.x, first.y, last.x - first.x + 1, last.y - first.y + 1};
+}
+
+/// Sums as skewed as those of so many pixels: difference_of() takes them for the sums of one.
+DifferenceSums as_of_one(DifferenceSums around, double pixels) {
+    for (double* third : {&around.third_a, &around.third_b}) *third /= std::sqrt(pixels);
+    for (double* error : {&around.third_error_a, &around.third_error_b}) *error /= pixels;
+    return around;
+}
+
+/// What the values of one channel have in common.
+struct Together {
+    WeightedPixels pixels = {};
+    DifferenceSums around = {};
+    double known = 0, error = 0;
+    std::size_t count = 0;
+
+    void add(const WeightedPixels& of, const DifferenceSums& around_it, const KnownValue& value, std::size_t channel,
+             double scale) {
+        for (const auto& [x, y, weight] : of) pixels.push_back({x, y, weight / scale});
+        around.merge(around_it);
+        known += value.value[channel] / scale;
+        error += value.error / scale;
+        ++count;
+    }
+    /// Each pixel once, and means for sums.
+    void finish() {
+        std::ranges::sort(pixels, {}, [](const PixelWeight& p) { return std::pair{p.y, p.x}; });
+        WeightedPixels once;
+        const auto n = static_cast<double>(count);
+        for (const auto& [x, y, weight] : pixels) {
+            if (once.empty() || once.back().x != x || once.back().y != y) once.push_back({x, y, 0});
+            once.back().weight += weight / n;
+        }
+        pixels = std::move(once);
+        known /= n;
+        error /= n;
+    }
+};
+
+/// Judges values of a picture, at the level of each test.
+class Judge {
+public:
+    Judge(const Picture& picture, const CheckSettings& settings, double level)
+        : picture_(picture), settings_(settings), level_(level), means_(means_of(picture)) {
+        for (std::size_t c = 0; c < picture.channels.size(); ++c) {
+            channels_.emplace_back(picture, c);
+            together_.emplace_back();
+        }
+    }
+
+    CheckedValue value(std::size_t index, const KnownValue& known, std::size_t c) {
+        const WeightedPixels pixels =
+            pixels_under(picture_, known.x - known.width / 2, known.y - known.height / 2, known.width, known.height);
+        CheckedValue value{.known = index, .channel = c};
+        const double scale = scale_of(known, c, means_), delta = settings_.delta * scale;
+        const DifferenceSums sums = channels_[c].sums(pixels, known.value[c]);
+        if (sums.pixels == 0) return value;
+        const DifferenceSums around = channels_[c].sums_around(box_of(pixels));
+        value.found = tested(pixels, sums, around, c, delta, known.error);
+        value.state = !is_believed(picture_, pixels, c, value.found) ? TileState::no_variance
+                      : known.error > delta                          ? TileState::poorly_known
+                                                                     : state_of(value.found, settings_.beta);
+        forecast(value.found, value.state, delta + known.error);
+        if (value.state != TileState::no_variance && value.state != TileState::poorly_known && scale > 0)
+            together_[c].add(pixels, around, known, c, scale);
+        return value;
+    }
+
+    CheckedTogether together(std::size_t c) {
+        Together& all = together_[c];
+        CheckedTogether found{.channel = c, .values = all.count};
+        if (all.count == 0) return found;
+        all.finish();
+        const DifferenceSums sums = channels_[c].sums(all.pixels, all.known);
+        found.found = tested(all.pixels, sums, all.around, c, settings_.delta, all.error);
+        found.state = state_of(found.found, settings_.beta);
+        if (found.found.p_value < level_ / static_cast<double>(channels_.size())) found.state = TileState::differs;
+        forecast(found.found, found.state, settings_.delta + all.error);
+        return found;
+    }
+
+private:
+    MeanDifference tested(const WeightedPixels& pixels, const DifferenceSums& sums, const DifferenceSums& around,
+                          std::size_t c, double delta, double error) const {
+        return difference_of(sums, as_of_one(around, count_of_equals(pixels)),
+                             {.degrees_a = picture_.degrees,
+                              .inflation = channels_[c].inflation(pixels),
+                              .epsilon = delta + error,
+                              .beta = settings_.beta,
+                              .delta = std::max(0.0, delta - error)});
+    }
+    void forecast(MeanDifference& found, TileState state, double epsilon) const {
+        if (state == TileState::too_noisy || state == TileState::heavy_tails)
+            found.more_samples = more_samples(found, epsilon, level_, settings_.beta);
+    }
+
+    const Picture& picture_;
+    const CheckSettings& settings_;
+    double level_;
+    std::vector<double> means_;
+    std::vector<NoisyChannel> channels_;
+    std::vector<Together> together_;
+};
 
 void refute(std::vector<CheckedValue>& values, double alpha) {
     std::vector<CheckedValue*> order;
@@ -131,79 +169,17 @@ void refute(std::vector<CheckedValue>& values, double alpha) {
     }
 }
 
-std::string count_of(const ValuesCheck& check, std::size_t count, const char* what) {
-    return fmt::format("{} of {} values {}", count, check.values.size(), what);
-}
-
-Verdict verdict_of(const ValuesCheck& check, const Picture& picture, std::span<const KnownValue> known,
-                   const CheckSettings& settings) {
-    Verdict verdict;
-    verdict.samples = check.values.size();
-    verdict.resolution = settings.delta;
-    // The one that is furthest off, in units of its delta.
-    const CheckedValue *wrong = nullptr, *open = nullptr;
-    std::size_t wrong_count = 0, open_count = 0;
-    const auto off = [](const CheckedValue& v) {
-        const double difference = std::abs(v.found.difference);
-        if (v.found.delta > 0) return difference / v.found.delta;
-        return difference > 0 ? std::numeric_limits<double>::infinity() : 0;
-    };
-    for (const CheckedValue& value : check.values) {
-        const bool refuted = value.state == TileState::differs;
-        if (value.state == TileState::same) continue;
-        ++(refuted ? wrong_count : open_count);
-        const CheckedValue*& worst = refuted ? wrong : open;
-        if (!worst || off(value) > off(*worst)) worst = &value;
-        verdict.p_value = std::fmin(verdict.p_value, value.found.p_value);
-    }
-    const auto place = [&](const CheckedValue& v) {
-        return fmt::format("{} of {}", picture.channels[v.channel], known[v.known].name);
-    };
-    if (wrong) {
-        verdict.outcome = Outcome::refuted;
-        verdict.reason = fmt::format("{}, most of all {}: found {:.5g}, known {:.5g}",
-                                     count_of(check, wrong_count, wrong_count == 1 ? "is wrong" : "are wrong"),
-                                     place(*wrong), wrong->found.a, wrong->found.b);
-    } else if (open) {
-        verdict.outcome = Outcome::undecided;
-        verdict.reason =
-            fmt::format("{}, least of all {} ({})",
-                        count_of(check, open_count, open_count == 1 ? "is not decided" : "are not decided"),
-                        place(*open), to_string(open->state));
-    } else {
-        verdict.outcome = Outcome::holds;
-        verdict.reason =
-            fmt::format("all {} values are as known, within {:.3g} %", check.values.size(), 100 * settings.delta);
-    }
-    return verdict;
-}
-
 }  // namespace
 
 ValuesCheck check(const Picture& picture, std::span<const KnownValue> known, const CheckSettings& settings) {
     ValuesCheck check;
-    const std::vector<double> means = means_of(picture);
-    for (std::size_t i = 0; i < known.size(); ++i) {
-        const std::vector<Covered> covered = pixels_under(picture, known[i]);
-        const Covered& centre = std::ranges::max(covered, {}, &Covered::share);
-        for (std::size_t c = 0; c < picture.channels.size(); ++c) {
-            CheckedValue value{.known = i, .channel = c};
-            const double delta = settings.delta * scale_of(known[i], c, means), b = known[i].value[c];
-            const DifferenceSums sums = sums_under(picture, covered, c, b);
-            if (sums.pixels > 0) {
-                value.found = difference_of(sums, sums_around(picture, centre, c),
-                                            {.degrees_a = picture.degrees,
-                                             .epsilon = delta + known[i].error,
-                                             .beta = settings.beta,
-                                             .delta = std::max(0.0, delta - known[i].error)});
-                value.state = !is_believed(picture, centre, c, value.found) ? TileState::no_variance
-                              : known[i].error > delta                      ? TileState::poorly_known
-                                                                            : state_of(value.found, settings.beta);
-            }
-            check.values.push_back(value);
-        }
-    }
-    refute(check.values, settings.alpha);
+    const double level = known.size() > 1 ? settings.alpha / 2 : settings.alpha;
+    Judge judge(picture, settings, level);
+    for (std::size_t i = 0; i < known.size(); ++i)
+        for (std::size_t c = 0; c < picture.channels.size(); ++c) check.values.push_back(judge.value(i, known[i], c));
+    refute(check.values, level);
+    for (std::size_t c = 0; known.size() > 1 && c < picture.channels.size(); ++c)
+        check.together.push_back(judge.together(c));
     check.verdict = verdict_of(check, picture, known, settings);
     return check;
 }

@@ -66,6 +66,19 @@ TEST(KnownValues, AreHeldToDelta) {
     EXPECT_EQ(state(NAN, 0.1, 15), TileState::no_pixels);
 }
 
+TEST(KnownValues, OverRectanglesAreMeans) {
+    const Picture picture = slope(4, 15);
+    // The film's mean is at its middle; that of a rectangle likewise.
+    const CheckedValue film = checked(picture, {.x = 16, .y = 16, .value = {176}, .width = 32, .height = 32});
+    EXPECT_NEAR(film.found.difference, 0, 1e-9);
+    EXPECT_NEAR(film.found.standard_error, 2.0 / 32, 1e-12);
+    EXPECT_EQ(film.state, TileState::same);
+    const CheckedValue part = checked(picture, {.x = 7, .y = 4, .value = {47}, .width = 2, .height = 6});
+    EXPECT_NEAR(part.found.difference, 0, 1e-9);
+    EXPECT_EQ(checked(picture, {.x = 16, .y = 16, .value = {180}, .width = 32, .height = 32}).state,
+              TileState::differs);
+}
+
 TEST(KnownValues, DistrustPixelsThatMayHaveMissedPaths) {
     Picture picture = slope(0, 15);
     const auto state = [&](double value) { return checked(picture, {.x = 8.5, .y = 8.5, .value = {value}}).state; };
@@ -141,12 +154,52 @@ protected:
 TEST_F(Renders, OfTheTruthHoldAndBrighterOnesAreRefuted) {
     // Standard errors of 5 %, 3.5 % between two pixels.
     EXPECT_EQ(of(1, 1, {.delta = 0.4}).verdict.outcome, Outcome::holds);
-    EXPECT_EQ(of(1, 1, {.delta = 0.04}).verdict.outcome, Outcome::undecided);
+    EXPECT_EQ(of(1, 1, {.delta = 0.01}).verdict.outcome, Outcome::undecided);
     const ValuesCheck wrong = of(1, 2, {.delta = 0.2});
     EXPECT_EQ(wrong.verdict.outcome, Outcome::refuted);
     EXPECT_THAT(wrong.verdict.reason, HasSubstr("values are wrong, most of all"));
     for (const CheckedValue& value : wrong.values)
         EXPECT_FALSE(value.state == TileState::differs && value.channel == 2);
+}
+
+/// 16 values of 5 % each know their mean to 1 % or so.
+TEST_F(Renders, HoldTogetherWhereEachValueIsTooNoisy) {
+    int held = 0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        const ValuesCheck found = of(seed, 1, {.delta = 0.06});
+        ASSERT_EQ(found.together.size(), 3U);
+        EXPECT_EQ(found.together[1].values, 16U);
+        EXPECT_NEAR(found.together[1].found.standard_error, 0.05 / 4 * std::sqrt(0.5), 0.002);
+        held += found.verdict.outcome == Outcome::holds;
+        if (found.verdict.outcome == Outcome::holds) {
+            EXPECT_THAT(found.verdict.reason, HasSubstr("together all 48 values are as known"));
+        }
+    }
+    EXPECT_GE(held, 9);
+}
+
+TEST_F(Renders, AreRefutedTogetherWhereNoValueIsAlone) {
+    const ValuesCheck found = of(1, 1.1, {.delta = 0.02});
+    EXPECT_EQ(found.verdict.outcome, Outcome::refuted);
+    EXPECT_THAT(found.verdict.reason, testing::StartsWith("together 16 values are wrong: their mean of R is +"));
+    EXPECT_EQ(found.together[2].state == TileState::differs, false);
+}
+
+TEST_F(Renders, OnTheEdgeOfDeltaHoldTogetherAtMostAtBeta) {
+    std::uint64_t held = 0;
+    constexpr int runs = 60;
+    for (std::uint64_t seed = 1; seed <= runs; ++seed)
+        held += of(seed, 1.06, {.beta = 0.05, .delta = 0.06}).together[0].state == TileState::same;
+    EXPECT_LT(clopper_pearson(held, runs, 1e-3).low, 0.05);
+}
+
+TEST_F(Renders, SayHowManySamplesWouldDecide) {
+    const ValuesCheck few = of(1, 1, {.delta = 0.01});
+    EXPECT_THAT(few.verdict.reason, testing::ContainsRegex("about [0-9]+ times as many samples would decide it"));
+    double factor = 0;
+    for (const CheckedTogether& together : few.together) factor = std::fmax(factor, together.found.more_samples);
+    EXPECT_GT(factor, 6);
+    EXPECT_LT(factor, 40);  // (3.6 · 0.9)² = 10
 }
 
 /// At the edge of what is allowed, in every value: Holm's bound on refuting any is reached at most.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "core/interval.h"
 #include "verification/pictures/picture.h"
@@ -17,6 +18,9 @@ struct MeanDifference {
     double degrees = 0;   ///< of freedom of that, by Welch and Satterthwaite
     double skewness = 0;  ///< upper bound of the sums' own
     double z = 0;         ///< normal score of Student's t, signed
+    /// By which factor samples must grow until an undecided difference is likely to be decided; NaN where it is
+    /// decided, or nobody knows.
+    double more_samples = std::numeric_limits<double>::quiet_NaN();
     double p_value = 1;   ///< two-sided, enlarged by what skewness can do
     double delta = 0;     ///< what `holds` excludes, absolute
     Interval interval{};  ///< of the difference; each end is wrong with probability beta

@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <set>
+#include <sstream>
 
 #include "core/error.h"
 #include "core/images/layers.h"
+#include "core/srgb.h"
 
 namespace plumb {
 namespace {
@@ -60,6 +63,14 @@ double replicates_of(const Image& image, const std::string& name) {
     return static_cast<double>(count);
 }
 
+/// Numbers that an attribute has, with spaces between them; none where it is missing, or has other text.
+std::vector<double> numbers_of(const Image& image, const char* attribute) {
+    const auto found = image.metadata.find(attribute);
+    if (found == image.metadata.end()) return {};
+    std::istringstream text(found->second);
+    return {std::istream_iterator<double>(text), {}};
+}
+
 bool is_half(float x) {
     if (!std::isfinite(x)) return true;
     int exponent = 0;
@@ -86,6 +97,16 @@ void set_rounding(Picture& picture, const Image& image) {
     picture.least_rounding = picture.variance_rounding = least_half;
 }
 
+double samples_of(std::span<const Image> renders) {
+    double sum = 0;
+    for (const Image& image : renders) {
+        const std::vector<double> samples = numbers_of(image, "plumb:spp");
+        if (samples.size() != 1) return 0;
+        sum += samples[0];
+    }
+    return sum;
+}
+
 void average(Picture& picture, std::span<const Image> renders, const std::vector<std::vector<std::size_t>>& sources) {
     const std::size_t count = picture.channels.size();
     const auto n = static_cast<double>(renders.size());
@@ -110,6 +131,12 @@ void variance_of_layers(Picture& picture, std::span<const Image> renders, std::s
                 renders[i].values[k / count * renders[i].channels.size() + source[k % count]] / n / n;
         picture.degrees += replicates_of(renders[i], names[i]) - 1;
     }
+    picture.mean_variance.assign(count, 0);
+    for (const Image& image : renders) {
+        const std::vector<double> errors = numbers_of(image, "plumb:error_of_means");
+        if (errors.size() != count) return picture.mean_variance.clear();
+        for (std::size_t c = 0; c < count; ++c) picture.mean_variance[c] += errors[c] * errors[c] / n / n;
+    }
 }
 
 void find_residuals(Picture& picture, std::span<const Image> renders,
@@ -128,6 +155,17 @@ void variance_of_spread(Picture& picture) {
         for (std::size_t k = 0; k < residual.size(); ++k)
             picture.variance[k] += static_cast<double>(residual[k]) * residual[k] / n / (n - 1);
     picture.degrees = n - 1;
+}
+
+// Numbers of an image as amounts of light.
+void make_linear(Image& image, const std::string& name) {
+    const auto& [encoding, gamma] = image.encoding;
+    if ((encoding.empty() && !image.of_integers) || encoding == "Linear" || encoding == "linear") return;
+    if (gamma <= 0 && !encoding.empty() && encoding != "sRGB" && encoding != "Rec709")
+        throw Error(fmt::format(
+            "{}: its colours are encoded as '{}'; accepted are linear ones, sRGB, Rec709 and powers", name, encoding));
+    for (float& value : image.values)
+        value = gamma > 0 ? std::pow(value, static_cast<float>(gamma)) : linear_from_srgb(value);
 }
 
 // A pixel with one bad channel is bad: it can be seen in no other way than as a whole.
@@ -151,6 +189,7 @@ Picture picture_of(std::span<const Image> renders, std::span<const std::string> 
     const Image& first = renders.front();
     Picture picture{.width = first.width, .height = first.height, .channels = colours_of(first, names[0])};
     picture.renders = renders.size();
+    picture.samples = samples_of(renders);
     std::vector<std::vector<std::size_t>> sources;
     bool layers = true;
     for (std::size_t i = 0; i < renders.size(); ++i) {
@@ -184,6 +223,17 @@ Picture picture_of(std::span<const Image> renders, std::span<const std::string> 
                         "independent renders of it (--a or --b), or say --exact-b when b has no error",
                         names[0], picture.channels[0]));
     exclude_bad(picture);
+    return picture;
+}
+
+Picture picture_without_error(const Image& image, const std::string& name) {
+    Image light = image;
+    make_linear(light, name);
+    light.of_integers = false;
+    Picture picture = picture_of(std::span(&light, 1), std::span(&name, 1), true);
+    if (image.of_integers) picture.rounding = 0x1p-9;
+    picture.degrees = 0;
+    picture.error_known = false;
     return picture;
 }
 

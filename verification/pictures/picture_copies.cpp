@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/interval.h"
+
 namespace plumb {
 namespace {
 
@@ -40,7 +42,7 @@ struct Treatment {
     double largest = -INFINITY, largest_original = -INFINITY;
     std::size_t at_largest = 0;
     bool same = true, of_halves = true;
-    double least_ratio = INFINITY, largest_ratio = -INFINITY;
+    std::vector<Interval> ratios;  // of copy to original, channel by channel
     std::set<double> levels = {}, original_levels = {};
 
     void add_range(double original, double copy) {
@@ -48,7 +50,7 @@ struct Treatment {
         largest_original = std::max(largest_original, original);
     }
     [[nodiscard]] bool cut_off() const { return largest_original > largest && at_largest > 1; }
-    void add(double original, double copy) {
+    void add(std::size_t channel, double original, double copy) {
         at_largest += copy == largest;
         if (copy == largest && original >= copy) return;  // perhaps cut off
         levels.insert(copy);
@@ -56,8 +58,20 @@ struct Treatment {
         same = same && copy == original;
         of_halves = of_halves && std::abs(copy - original) <= std::max(0x1p-11 * 1.001 * std::abs(original), 0x1p-25);
         if (original == 0) return;
-        least_ratio = std::min(least_ratio, copy / original);
-        largest_ratio = std::max(largest_ratio, copy / original);
+        Interval& ratio = ratios[channel];
+        ratio = {std::min(ratio.low, copy / original), std::max(ratio.high, copy / original)};
+    }
+    /// What each channel is multiplied by; empty where one is not.
+    [[nodiscard]] std::vector<std::string> factors() const {
+        std::vector<std::string> factors;
+        for (const auto& [low, high] : ratios) {
+            if (low > high) continue;  // black
+            if (high - low > 1e-5 * std::abs(high)) return {};
+            factors.push_back(fmt::format("{:.6g}", high));
+        }
+        if (std::ranges::all_of(factors, [&](const std::string& f) { return f == factors.front(); }))
+            factors.resize(std::min<std::size_t>(1, factors.size()));
+        return factors;
     }
 };
 
@@ -69,8 +83,8 @@ std::vector<std::string> words_of(const Treatment& found) {
         words.push_back("rounded to half floats");
     else if (found.levels.size() <= 3 * 256 && 2 * found.levels.size() < found.original_levels.size())
         words.push_back(fmt::format("rounded to {} levels, as few bits have", found.levels.size()));
-    else if (found.largest_ratio - found.least_ratio <= 1e-5 * std::abs(found.largest_ratio))
-        words.push_back(fmt::format("multiplied by {:.6g}", found.largest_ratio));
+    else if (const std::vector<std::string> factors = found.factors(); !factors.empty())
+        words.push_back(fmt::format("multiplied by {}", fmt::join(factors, ", ")));
     else
         words.push_back("changed by a curve");
     return words;
@@ -90,13 +104,14 @@ std::string copies_of(const Picture& a, const Picture& b) {
         a_is_original = a_is_original && of_a >= of_b;
     }
     if (!telling) return "";
-    Treatment found;
+    Treatment found{.ratios = std::vector<Interval>(channels.size(), {INFINITY, -INFINITY})};
     const auto each = [&](auto visit) {
-        for (const Pairs& pairs : channels)
-            for (const auto& [first, second] : pairs) a_is_original ? visit(first, second) : visit(second, first);
+        for (std::size_t c = 0; c < channels.size(); ++c)
+            for (const auto& [first, second] : channels[c])
+                a_is_original ? visit(c, first, second) : visit(c, second, first);
     };
-    each([&](double original, double copy) { found.add_range(original, copy); });
-    each([&](double original, double copy) { found.add(original, copy); });
+    each([&](std::size_t, double original, double copy) { found.add_range(original, copy); });
+    each([&](std::size_t c, double original, double copy) { found.add(c, original, copy); });
     const std::vector<std::string> words = words_of(found);
     const char *copy = a_is_original ? "b" : "a", *original = a_is_original ? "a" : "b";
     return fmt::format("{} is a copy of {}{}{}, the same samples and no second estimate", copy, original,

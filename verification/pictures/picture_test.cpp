@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/error.h"
 #include "core/test_folder.h"
 
 namespace plumb {
@@ -74,6 +75,37 @@ TEST(Picture, IsRefusedWhereItSharesRandomNumbers) {
                     require_independent(std::vector{a, b}, names);
                 }),
                 HasSubstr("p.exr and q.exr: both have seed 7 and the same scene"));
+}
+
+TEST(PictureWithoutError, IsOfOneImageThatDoesNotTellIt) {
+    const Image image{2, 1, {"R", "G", "B"}, {1, 2, 3, 4, 5, 6}};
+    const Picture picture = picture_without_error(image, "a");
+    EXPECT_FALSE(picture.error_known);
+    EXPECT_EQ(picture.mean, (std::vector<double>{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(picture.degrees, 0);
+    EXPECT_THROW((void)picture_without_error({1, 1, {"A"}, {1}}, "a"), Error);
+}
+
+TEST(PictureWithoutError, IsLight) {
+    Image image{1, 1, {"Y"}, {0.5F}, {}, true};
+    EXPECT_NEAR(picture_without_error(image, "a").mean[0], 0.21404, 1e-5);  // ((0.5 + 0.055)/1.055)^2.4
+    image.encoding = {"Gamma2.2", 2.2};
+    EXPECT_NEAR(picture_without_error(image, "a").mean[0], std::pow(0.5, 2.2), 1e-6);
+    image.encoding = {"linear", 0};
+    EXPECT_EQ(picture_without_error(image, "a").mean[0], 0.5);
+    image.encoding = {"KodakLog", 0};
+    EXPECT_THROW((void)picture_without_error(image, "a"), Error);
+}
+
+TEST(Picture, KnowsItsSamplesAndTheErrorOfItsMeans) {
+    Image image{1, 1, {"Y", "variance.Y"}, {1, 0.5F}};
+    image.metadata = {{"plumb:replicates", "16"}, {"plumb:spp", "64"}, {"plumb:error_of_means", "0.25"}};
+    const Picture two = picture_of(std::vector{image, image}, std::vector<std::string>{"a", "b"});
+    EXPECT_EQ(two.samples, 128);
+    ASSERT_EQ(two.mean_variance.size(), 1U);
+    EXPECT_EQ(two.mean_variance[0], 0.25 * 0.25 / 2);
+    image.metadata.erase("plumb:error_of_means");
+    EXPECT_TRUE(picture_of(std::vector{image}, std::vector<std::string>{"a"}).mean_variance.empty());
 }
 
 }  // namespace

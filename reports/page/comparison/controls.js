@@ -16,6 +16,16 @@ function slider(label, { min, max, step, value }, text, oninput) {
 
 /** Numbers of a pixel and of its tile. */
 function numbersUnder(x, y) {
+  if (!found.error_known) {
+    const values = channels.map((name, c) => {
+      const n = numbersAt(x, y, c);
+      return [name, ...[n.a, n.b, n.difference].map((v) => readable(v, 5))];
+    });
+    return [
+      h("p", { class: "note", id: "place" }, `Pixel (${x}, ${y})`),
+      dataTable("Pixel under the pointer", ["channel", "a", "b", "a − b"], values, [1, 2, 3]),
+    ];
+  }
   const rows = channels.map((name, c) => {
     const n = numbersAt(x, y, c);
     return [name, ...[n.a, n.b, n.difference, n.sd, n.z].map((v) => readable(v, 5))];
@@ -49,9 +59,12 @@ function pictureSection() {
       ["difference", "a − b"],
       ["z", "z of pixels"],
       ["tiles", "z of tiles"],
-    ].map(([view, text]) => [view, button(text, () => showView(view))]),
+    ]
+      .filter(([view]) => found.error_known || !["z", "tiles"].includes(view))
+      .map(([view, text]) => [view, button(text, () => showView(view))]),
   );
   function showView(view) {
+    if (!buttons[view]) return;
     state.view = view;
     for (const [name, element] of Object.entries(buttons)) {
       element.classList.toggle("pressed", name === view);
@@ -102,7 +115,7 @@ function pictureSection() {
     act();
   });
   showView("a");
-  const lead = h("p", { class: "note" }, h("kbd", {}, "T"), " toggles a and b, ", h("kbd", {}, "1"), " to ", h("kbd", {}, "5"), " choose what is shown, ", h("kbd", {}, "F"), " fits; drag moves, the wheel zooms.");
+  const lead = h("p", { class: "note" }, h("kbd", {}, "T"), " toggles a and b, ", h("kbd", {}, "1"), " to ", h("kbd", {}, found.error_known ? "5" : "3"), " choose what is shown, ", h("kbd", {}, "F"), " fits; drag moves, the wheel zooms.");
   const element = section(
     "pictures",
     "Pictures",
@@ -114,7 +127,7 @@ function pictureSection() {
       exposure.element,
       wipe.element,
       sideBySide,
-      outlines,
+      found.error_known ? outlines : null,
       h("div", { class: "buttons" }, button("+", () => panes[0].zoomBy(1.5), "zoom in"), button("−", () => panes[0].zoomBy(1 / 1.5), "zoom out"), button("fit", fit, "key F")),
     ),
     bar,

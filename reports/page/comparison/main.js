@@ -6,7 +6,6 @@ document
   .replaceChildren(
     verdictSection(),
     pictureParts.element,
-    tileSection(pictureParts.zoomTo),
-    channelSection(),
+    ...(found.error_known ? [tileSection(pictureParts.zoomTo), channelSection()] : [meanSection()]),
     errorSection(),
   );

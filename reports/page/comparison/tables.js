@@ -16,6 +16,14 @@ function reasonParts(reason) {
 function verdictSection() {
   const fact = (name, value) => h("div", {}, h("dt", {}, name), h("dd", {}, value));
   const s = found.settings;
+  const tested = found.error_known
+    ? [
+        fact("tiles", `${plural(found.tiles.length / channels.length, "tile")}, edge ${s.tile}`),
+        fact("α", readable(s.alpha)),
+        fact("δ", `${readable(100 * s.delta)} % of the mean, ${readable(100 * s.tile_delta)} % of a tile`),
+        fact("correlated neighbours", found.correlation.reach ? `to ${found.correlation.reach} pixels: variance × ${readable(found.correlation.inflation)}` : "none found"),
+      ]
+    : [];
   return h(
     "section",
     { id: "verdict", "aria-label": "Verdict" },
@@ -27,14 +35,25 @@ function verdictSection() {
       fact("a", found.a.files.join(", ")),
       fact("b", found.b.files.join(", ")),
       fact("size", `${width} × ${height}`),
-      fact("tiles", `${plural(found.tiles.length / channels.length, "tile")}, edge ${s.tile}`),
-      fact("α", readable(s.alpha)),
-      fact("δ", `${readable(100 * s.delta)} % of the mean, ${readable(100 * s.tile_delta)} % of a tile`),
-      fact("correlated neighbours", found.correlation.reach ? `to ${found.correlation.reach} pixels: variance × ${readable(found.correlation.inflation)}` : "none found"),
+      tested,
       fact("not finite", `${found.a.bad_pixels} and ${found.b.bad_pixels} pixels`),
     ),
   );
 }
+
+/** Means alone, where the error of a picture is unknown. */
+const meanSection = () =>
+  section(
+    "channels",
+    "Channels",
+    "Each channel's mean over the picture.",
+    dataTable(
+      "Channels",
+      ["channel", "mean a", "mean b", "a − b"],
+      found.channels.map((c) => [c.channel, readable(c.mean.a, 5), readable(c.mean.b, 5), percent(c.mean.difference, c.mean.b)]),
+      [1, 2, 3],
+    ),
+  );
 
 function channelSection() {
   return section(
@@ -93,7 +112,9 @@ const errorSection = () =>
   section(
     "errors",
     "Errors",
-    "Of a against b over all pixels, the variance of b subtracted; intervals are 95 % ones over pixels.",
+    found.error_known
+      ? "Of a against b over all pixels, the variance of b subtracted; intervals are 95 % ones over pixels. FLIP is of both images as they are, noise and all."
+      : "Of a against b over all pixels: of both images as they are, noise and all.",
     dataTable(
       "Errors",
       ["measure", "value", "interval"],

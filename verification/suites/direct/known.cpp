@@ -16,13 +16,12 @@ std::vector<KnownRadiance> direct_radiances(const ShippedScene& shipped) {
     return direct;
 }
 
-/// A film point in the pixel of the given one.
-Point<2> in_pixel(const Point<2>& film, RandomStream& random) {
+Point<2> in_box(const FilmBox& box, RandomStream& random) {
     const double u = random.uniform();
-    return {std::floor(film[0]) + u, std::floor(film[1]) + random.uniform()};
+    return {box.x + u * box.width, box.y + random.uniform() * box.height};
 }
 
-/// The mean of 32 paths through the film point, or the pixel, of a known radiance.
+/// The mean of 32 paths through the film point, or the box, of a known radiance.
 double draw_known(const Scene& scene, const PathEstimator& estimator, const KnownRadiance& known,
                   RandomStream& random) {
     Measurement measurement{scene, estimator, known.film, {}, 32, known.edges.value_or(2)};
@@ -30,7 +29,7 @@ double draw_known(const Scene& scene, const PathEstimator& estimator, const Know
     measurement.n = 1;
     double sum = 0;
     for (int i = 0; i < 32; ++i) {
-        measurement.film = in_pixel(known.film, random);
+        measurement.film = in_box(known.box, random);
         sum += luminance(measurement.draw(random));
     }
     return sum / 32;
