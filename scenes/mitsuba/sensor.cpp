@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "scenes/geometry/box.h"
 #include "scenes/mitsuba/loader.h"
 
 namespace plumb::mitsuba {
