@@ -25,31 +25,32 @@ std::string place_of(const Case& c) {
     return length_squared(c.wi) > 0 ? in_words(c.wo, c.wi) : "wo " + name_of(c.wo);
 }
 
-// Whether found is factor times expected in 19 of 20 cases.
-bool explains(const std::vector<Case>& cases, const std::function<double(const Case&)>& factor) {
+// The constant by which found/expected/factor differs from 1, where it is one in 19 of 20 cases.
+std::optional<double> constant_beside(const std::vector<Case>& cases, const Factor& factor) {
     constexpr std::size_t least = 8;
-    std::size_t tried = 0, met = 0;
-    for (const Case& c : cases) {
-        if (c.one_sided || !(c.expected > 0) || !(c.known < 0.01)) continue;
-        ++tried;
-        met += std::abs(c.found / c.expected / factor(c) - 1) < 1e-3 + 2 * c.known ? 1 : 0;
-    }
-    return tried >= least && 20 * met >= 19 * tried;
+    std::vector<std::pair<double, double>> ratios;  // with what is known of each
+    for (const Case& c : cases)
+        if (!c.one_sided && c.expected > 0 && std::isfinite(c.found) && c.known < 0.01)
+            ratios.emplace_back(c.found / c.expected / factor.of(c.wo, c.wi), c.known);
+    if (ratios.size() < least) return {};
+    std::ranges::sort(ratios);
+    const double middle = ratios[ratios.size() / 2].first;
+    const auto met = std::ranges::count_if(
+        ratios, [&](const auto& ratio) { return std::abs(ratio.first / middle - 1) < 1e-3 + 2 * ratio.second; });
+    return 20 * static_cast<std::size_t>(met) >= 19 * ratios.size() ? std::optional(middle) : std::nullopt;
 }
 
 std::optional<std::string> likely_factor(const std::vector<Case>& cases, const Demand& demand) {
-    std::vector<double> ratios;
-    for (const Case& c : cases)
-        if (!c.one_sided && c.expected > 0 && std::isfinite(c.found)) ratios.push_back(c.found / c.expected);
-    if (ratios.empty()) return {};
-    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-    std::ranges::nth_element(ratios, middle);
-    if (explains(cases, [&](const Case&) { return *middle; })) {
-        if (std::abs(*middle - 1) < 1e-3) return {};  // most are right
-        return fmt::format("{:.4g}", *middle);
+    std::vector<Factor> factors{{"", [](Vec3, Vec3) { return 1; }}};
+    factors.insert(factors.end(), demand.factors.begin(), demand.factors.end());
+    for (const Factor& factor : factors) {
+        const auto constant = constant_beside(cases, factor);
+        if (!constant) continue;
+        const bool one = std::abs(*constant - 1) < 1e-3;
+        if (factor.name.empty() && one) return {};  // most are right
+        if (factor.name.empty()) return fmt::format("{:.4g}", *constant);
+        return one ? factor.name : fmt::format("{:.4g} {}", *constant, factor.name);
     }
-    for (const Factor& factor : demand.factors)
-        if (explains(cases, [&](const Case& c) { return factor.of(c.wo, c.wi); })) return factor.name;
     return {};
 }
 
@@ -108,7 +109,8 @@ Verdict judged(const std::vector<Case>& cases, const Demand& demand) {
     std::vector<Case> sharp;
     for (const Case& c : cases)
         if (!(c.known > demand.coarse) || excess(c) > demand.bound) sharp.push_back(c);
-    const Case& worst = *std::ranges::max_element(sharp.empty() ? cases : sharp, {}, excess);
+    const auto badness = [](const Case& c) { return std::pair(std::max(0.0, excess(c)), c.error); };
+    const Case& worst = *std::ranges::max_element(sharp.empty() ? cases : sharp, {}, badness);
     Verdict verdict = of_the_worst(worst, sharp.size(), cases.size() - sharp.size(), demand);
     if (excess(worst) > demand.bound) {
         verdict.outcome = Outcome::refuted;

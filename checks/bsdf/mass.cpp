@@ -51,7 +51,7 @@ Mass mass_of(const BsdfSubject& bsdf, const BsdfTraits& traits, const std::funct
         Met met = met_by_samples(bsdf, wo, Transport::importance, random, epsilon, samples * effort);
         SphereIntegral integral(wo, at, likely_peaks(wo, traits, met.smooth),
                                 evaluations * static_cast<std::size_t>(effort), largest);
-        if (effort == 16 || !(integral.error() > 4e-3)) {
+        if (const double e = integral.error(); effort == 16 || !(e > 4e-3 && e < 0.3)) {
             const double rounding = rounding_of_mean(f, wo, met.smooth, epsilon);
             return {std::move(met), std::move(integral), rounding};
         }

@@ -21,8 +21,8 @@ struct Mass {
 
 /// The integral of f(wo, wi), in parts of at most `largest`. Peaks are looked for where 2048 samples went, so that a
 /// lobe of a thousandth of the probability is met twice, and at the mirrored and refracted directions, straight on,
-/// back and along the normal, as far off as the traits' roughness. Where the error is above 4e-3 then, four times as
-/// many samples and evaluations are tried, and again.
+/// back and along the normal, as far off as the traits' roughness. Where the error is above 4e-3 then, but not
+/// hopeless, four times as many samples and evaluations are tried, and again.
 Mass mass_of(const BsdfSubject& bsdf, const BsdfTraits& traits, const std::function<double(Vec3 wo, Vec3 wi)>& f,
              Vec3 wo, RandomStream& random, double epsilon, double largest = std::numeric_limits<double>::infinity());
 
