@@ -274,6 +274,8 @@ void add_comparison_correlated(Catalogue& catalogue) {
                     {"brighter", "4 % brighter.",
                      Four{[](double error, int x, int y) { return 1.04 * (truth(x, y) + error); }}},
                     {"dark-tile", "One tile of four 5 % darker.", Four{darker}},
+                    {"half-pixel", "Half a pixel aside.",
+                     Four{[](double error, int x, int y) { return truth(x + 0.5, y) + error; }}},
                     {"same-seeds", "The other side's renders again.", Four{.shared = true}}}}});
     catalogue.add({.id = "calibration/pictures/halves",
                    .statement = "Honest pictures are not refuted for having been rounded to half floats.",
