@@ -15,7 +15,7 @@ set(failures "")
 function(expect_success)
   execute_process(COMMAND ${CMAKE_COMMAND} -E env LD_DEBUG=files LD_DEBUG_OUTPUT=loaded "${copy}/bin/plumb" ${ARGN}
                   WORKING_DIRECTORY "${copy}/work" RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT code EQUAL 0)
+  if(NOT code EQUAL 0 AND NOT (code EQUAL 3 AND ARGV0 STREQUAL compare))  # 3: undecided is a verdict too
     string(JOIN " " called ${ARGN})
     set(failures "${failures}plumb ${called} ended with ${code}:\n${output}\n" PARENT_SCOPE)
   endif()

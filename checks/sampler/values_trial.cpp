@@ -4,11 +4,11 @@
 
 #include <cmath>
 #include <memory>
+#include <unordered_map>
 
 #include "checks/sampler/lines.h"
 #include "core/box.h"
 #include "core/error.h"
-#include "core/parallel.h"
 #include "verification/evidence/mean.h"
 
 namespace plumb::checks {
@@ -18,16 +18,20 @@ constexpr const char* no_mutant = "the sampler is another program: a defect is i
 constexpr std::size_t cells_of_own = 8;  // along x in one dimension, 4 by 2 in two
 constexpr double default_delta = 0.05;
 
-// The verdict on a mean of values that are there already: one thread draws them in their order.
+// The verdict on a mean of values that are there already: a draw finds its value by the random numbers that it is
+// given, so that it may be asked again, and by any thread.
 Verdict mean_of_values(std::size_t count, const std::function<double(std::size_t, RandomStream&)>& value,
                        MeanClaim claim, const Run& run) {
     claim.cap = count;
-    Verdict verdict;
-    with_threads(1, [&] {
-        std::size_t next = 0;
-        verdict = mean_is([&](RandomStream& random) { return value(next++, random); }, claim, run);
-    });
-    return verdict;
+    claim.why_fewer = "these are all the values that there are";
+    std::unordered_map<std::uint64_t, std::size_t> index_of;
+    index_of.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) index_of.emplace(run.random(i).bits(), i);
+    const auto draw = [&](RandomStream& random) {
+        RandomStream key = random;
+        return value(index_of.at(key.bits()), random);
+    };
+    return mean_is(draw, claim, run);
 }
 
 // Twice the value or nothing, at the toss of a coin: with the same mean, and with a spread where all values are the

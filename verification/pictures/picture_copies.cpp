@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -39,21 +40,26 @@ bool is_increasing(const Pairs& pairs) {
 
 /// What was done to the numbers of an original.
 struct Treatment {
-    double largest = -INFINITY, largest_original = -INFINITY;
-    std::size_t at_largest = 0;
+    double largest = -INFINITY;
     bool same = true, of_halves = true;
-    std::vector<Interval> ratios;  // of copy to original, channel by channel
-    std::set<double> levels = {}, original_levels = {};
+    std::vector<Interval> ratios;            // of copy to original, channel by channel
+    std::map<double, Interval> levels = {};  // the originals of each number of the copy
+    std::set<double> original_levels = {};
 
-    void add_range(double original, double copy) {
+    void add_level(double original, double copy) {
         largest = std::max(largest, copy);
-        largest_original = std::max(largest_original, original);
+        Interval& originals = levels.try_emplace(copy, Interval{original, original}).first->second;
+        originals = {std::min(originals.low, original), std::max(originals.high, original)};
     }
-    [[nodiscard]] bool cut_off() const { return largest_original > largest && at_largest > 1; }
-    void add(std::size_t channel, double original, double copy) {
-        at_largest += copy == largest;
-        if (copy == largest && original >= copy) return;  // perhaps cut off
-        levels.insert(copy);
+    /// Whether the largest number stands for larger ones than itself, and for more than any other does by rounding.
+    [[nodiscard]] bool cut_off() const {
+        const Interval top = levels.at(largest);
+        return top.high > largest && std::ranges::all_of(levels, [&](const auto& level) {
+                   return level.first == largest || level.second.width() < top.width();
+               });
+    }
+    void add(std::size_t channel, double original, double copy, bool is_cut_off) {
+        if (is_cut_off && copy == largest && original >= copy) return;
         original_levels.insert(original);
         same = same && copy == original;
         of_halves = of_halves && std::abs(copy - original) <= std::max(0x1p-11 * 1.001 * std::abs(original), 0x1p-25);
@@ -110,8 +116,9 @@ std::string copies_of(const Picture& a, const Picture& b) {
             for (const auto& [first, second] : channels[c])
                 a_is_original ? visit(c, first, second) : visit(c, second, first);
     };
-    each([&](std::size_t, double original, double copy) { found.add_range(original, copy); });
-    each([&](std::size_t c, double original, double copy) { found.add(c, original, copy); });
+    each([&](std::size_t, double original, double copy) { found.add_level(original, copy); });
+    const bool is_cut_off = found.cut_off();
+    each([&](std::size_t c, double original, double copy) { found.add(c, original, copy, is_cut_off); });
     const std::vector<std::string> words = words_of(found);
     const char *copy = a_is_original ? "b" : "a", *original = a_is_original ? "a" : "b";
     return fmt::format("{} is a copy of {}{}{}, the same samples and no second estimate", copy, original,
