@@ -216,7 +216,7 @@ std::vector<Spoiled> renderers_spoiled() {
         job.renderer = std::move(renderer);
         return job;
     };
-    constexpr PixelBox on_ball{4, 17, 10, 10}, in_shelf{19, 16, 11, 11};
+    constexpr PixelBox on_ball{4, 17, 10, 10};
     return {
         {"brighter", "1 % brighter.",
          fours(closer,
@@ -225,7 +225,7 @@ std::vector<Spoiled> renderers_spoiled() {
          against(honest, spoiled(honest, by(direct_with(no_cosine)))), on_ball},
         {"light-missing", "The point light is left out in 1 % of its samples.",
          against(by_lights, spoiled(by_lights, by(direct_with(point_left_out))))},
-        {"depth-limited", "No path has more than 3 edges.", fours(long_paths, spoiled(long_paths, path(3))), in_shelf},
+        {"depth-limited", "No path has more than 3 edges.", fours(long_paths, spoiled(long_paths, path(3)))},
         {"half-pixel", "Half a pixel aside.", fours(honest, Job{scene_aside, direct(), honest.settings})},
         {"filter-width", "A filter of twice the width.",
          against(precise, Job{blurry_scene, direct(), precise.settings})},
