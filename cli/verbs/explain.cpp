@@ -62,10 +62,6 @@ Subject subject_of(const Options& options, const TellingPicture& picture) {
             settings};
 }
 
-double brightness(const Spectrum& s) {
-    return 0.2126 * s[0] + 0.7152 * s[1] + 0.0722 * s[2];
-}
-
 // The samples of a pixel, brightest first, by what they add to it.
 struct Ranked {
     std::uint32_t sample;
@@ -75,7 +71,7 @@ std::vector<Ranked> ranked(const RenderJob& job, int x, int y) {
     std::vector<Ranked> all(job.settings.passes * std::size_t{job.settings.samples_per_pass});
     for_batches(all.size(), [&](std::size_t i) {
         const auto sample = static_cast<std::uint32_t>(i);
-        all[i] = {sample, brightness(explain(job, x, y, sample).value)};
+        all[i] = {sample, luminance(explain(job, x, y, sample).value)};
     });
     std::ranges::stable_sort(all, std::greater<>(), &Ranked::brightness);
     return all;
