@@ -22,47 +22,47 @@ Outcome outcome_of(TileState state) {
     return state == TileState::differs ? Outcome::refuted : Outcome::undecided;
 }
 
+// What a test of a difference says, behind what it is a test of.
+Json with_test(Json json, const MeanDifference& found) {
+    json["standard_error"] = number(found.standard_error);
+    json["degrees"] = number(found.degrees);
+    json["skewness"] = number(found.skewness);
+    json["p_value"] = number(found.p_value);
+    json["delta"] = number(found.delta);
+    json["more_samples"] = number(found.more_samples);
+    json["low"] = number(found.interval.low);
+    json["high"] = number(found.interval.high);
+    return json;
+}
+
 Json to(const CheckedTogether& together, const ValuesReport& report) {
     const MeanDifference& found = together.found;
-    return {{"channel", report.picture.channels[together.channel]},
-            {"values", together.values},
-            {"outcome", to_string(outcome_of(together.state))},
-            {"state", to_string(together.state)},
-            {"found", number(found.a)},
-            {"known", number(found.b)},
-            {"standard_error", number(found.standard_error)},
-            {"degrees", number(found.degrees)},
-            {"skewness", number(found.skewness)},
-            {"p_value", number(found.p_value)},
-            {"delta", number(found.delta)},
-            {"more_samples", number(found.more_samples)},
-            {"low", number(found.interval.low)},
-            {"high", number(found.interval.high)}};
+    return with_test({{"channel", report.picture.channels[together.channel]},
+                      {"values", together.values},
+                      {"outcome", to_string(outcome_of(together.state))},
+                      {"state", to_string(together.state)},
+                      {"found", number(found.a)},
+                      {"known", number(found.b)}},
+                     found);
 }
 
 Json to(const CheckedValue& value, const ValuesReport& report) {
     const KnownValue& known = report.known[value.known];
     const MeanDifference& found = value.found;
-    return {{"name", known.name},
-            {"x", known.x},
-            {"y", known.y},
-            {"width", known.width},
-            {"height", known.height},
-            {"channel", report.picture.channels[value.channel]},
-            {"outcome", to_string(outcome_of(value.state))},
-            {"state", to_string(value.state)},
-            {"found", number(found.a)},
-            {"known", number(known.value[value.channel])},
-            {"known_error", number(known.error)},
-            {"standard_error", number(found.standard_error)},
-            {"degrees", number(found.degrees)},
-            {"skewness", number(found.skewness)},
-            {"p_value", number(found.p_value)},
-            {"delta", number(found.delta)},
-            {"more_samples", number(found.more_samples)},
-            {"low", number(found.interval.low)},
-            {"high", number(found.interval.high)},
-            {"source", known.source}};
+    Json json = with_test({{"name", known.name},
+                           {"x", known.x},
+                           {"y", known.y},
+                           {"width", known.width},
+                           {"height", known.height},
+                           {"channel", report.picture.channels[value.channel]},
+                           {"outcome", to_string(outcome_of(value.state))},
+                           {"state", to_string(value.state)},
+                           {"found", number(found.a)},
+                           {"known", number(known.value[value.channel])},
+                           {"known_error", number(known.error)}},
+                          found);
+    json["source"] = known.source;
+    return json;
 }
 
 }  // namespace
