@@ -243,6 +243,16 @@ Answer answer(const Draw& draw, const Question& question, const Run& run) {
     return answer;
 }
 
+Question question(const auto& claim, const Interval& allowed, const Interval& resolved, const Units& units) {
+    return {.allowed = allowed,
+            .resolved = resolved,
+            .units = units,
+            .bounds = with_rounding(claim.bounds),
+            .min_samples = claim.min_samples,
+            .why_fewer = claim.why_fewer,
+            .cap = claim.cap};
+}
+
 void check_setting(const MeanClaim& claim) {
     if (!(claim.delta > 0) && !claim.zero_variance) throw std::logic_error("mean_is: delta must be positive");
     if (!(claim.epsilon >= 0) || (!claim.zero_variance && claim.epsilon >= claim.delta))
@@ -256,15 +266,9 @@ Verdict mean_is(const Draw& draw, const MeanClaim& claim, const Run& run) {
     check_setting(claim);
     if (claim.zero_variance) return every_value_is(draw, claim, run);
     const double allowed = claim.epsilon / claim.delta;
-    auto [verdict, mean, error, bias, caveat] = answer(draw,
-                                                       {.allowed = {-allowed, allowed},
-                                                        .resolved = {-1, 1},
-                                                        .units = {claim.reference, claim.delta},
-                                                        .bounds = with_rounding(claim.bounds),
-                                                        .min_samples = claim.min_samples,
-                                                        .why_fewer = claim.why_fewer,
-                                                        .cap = claim.cap},
-                                                       run);
+    auto [verdict, mean, error, bias, caveat] =
+        answer(draw, question(claim, {-allowed, allowed}, {-1, 1}, {claim.reference, claim.delta}), run);
+
     if (verdict.evidence.empty()) return verdict;
     verdict.evidence.emplace_back("epsilon", claim.epsilon);
     if (verdict.outcome == Outcome::holds)
@@ -279,15 +283,9 @@ Verdict mean_is(const Draw& draw, const MeanClaim& claim, const Run& run) {
 Verdict mean_at_most(const Draw& draw, const AtMostClaim& claim, const Run& run) {
     if (!(claim.margin > 0)) throw std::logic_error("mean_at_most: margin must be positive");
     const Interval below{-std::numeric_limits<double>::infinity(), 0};
-    auto [verdict, mean, error, bias, caveat] = answer(draw,
-                                                       {.allowed = below,
-                                                        .resolved = below,
-                                                        .units = {claim.bound, claim.margin},
-                                                        .bounds = with_rounding(claim.bounds),
-                                                        .min_samples = claim.min_samples,
-                                                        .why_fewer = claim.why_fewer,
-                                                        .cap = claim.cap},
-                                                       run);
+    auto [verdict, mean, error, bias, caveat] =
+        answer(draw, question(claim, below, below, {claim.bound, claim.margin}), run);
+
     if (verdict.evidence.empty()) return verdict;
     if (verdict.outcome == Outcome::holds)
         verdict.reason = fmt::format("mean {:.4g} ± {:.2g}: at most {:.4g} (risk {:.2g}){}", mean, error, claim.bound,
